@@ -53,7 +53,7 @@ void Dynamics::shift_cones(const double dt, const bool back)
     rows.impulse[row] = std::max(0., rows.impulse[row]);
 }
 
-double Dynamics::adhesion_work(const double dt, const std::vector<Wall> &walls) const
+double Dynamics::adhesion_work(const double dt, const std::vector<Wall<2>> &walls) const
 {
   // With the mean of the velocities before and after, as all work of a step.
   const std::size_t n = primaries.size();

@@ -133,9 +133,13 @@ void BallDynamics::move_walls(const double dt, Walls &walls, BallReport &report)
   }
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
-    const double before = walls[w].work;
-    walls[w].go(dt, given[w]);
-    report.contact_loss += walls[w].work - before;
+    Wall<3> &wall = walls[w];
+    const double before = wall.book.work;
+    wall.book.force = dealii::Tensor<1, 3>();
+    wall.book.give(given[w], dt);
+    wall.book.work += given[w] * wall.velocity();
+    wall.travel += dt * wall.speed;
+    report.contact_loss += wall.book.work - before;
     report.impulse += given[w];
   }
 }

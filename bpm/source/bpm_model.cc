@@ -67,7 +67,7 @@ void BpmModel::drive_walls(const double dt)
     obstacle.plan(now, dt);
   for (std::size_t w = 0; w < moving_walls.size(); ++w)
   {
-    Wall &wall = moving_walls[w];
+    Wall<2> &wall = moving_walls[w];
     if (slides_freely(wall))
       put_shear(wall, demanded_shear(wall, now, dt), pressed_length(moving_walls, w));
     else
@@ -154,7 +154,7 @@ std::string BpmModel::cause_of_no_solution() const
           << "': sweeps find no forces where such a difference rests on light bodies, bring 'Density' and "
              "sizes nearer to each other";
   else if (std::any_of(moving_walls.begin(), moving_walls.end(),
-                       [](const Wall &wall) { return wall.speed != 0. || !wall.prescribed(); }))
+                       [](const Wall<2> &wall) { return wall.speed != 0. || !wall.prescribed(); }))
     cause << "walls that close on a full box leave no room";
   else
     cause << "a smaller 'Time/Time step' or more sweeps may help";
@@ -200,7 +200,7 @@ StepReport BpmModel::advance(const double dt_limit)
   StepReport report;
   const double limit = std::max(settings.largest_penetration * diameter, dynamics->present().penetration());
   dynamics->keep_motion(true);
-  const std::vector<Wall> walls_before = moving_walls;
+  const std::vector<Wall<2>> walls_before = moving_walls;
   const Adhesion memory = dynamics->memories().adhesion;
   const std::vector<Felt> obstacles_before = felt_by(moving_obstacles);
   const auto try_step = [&](const double dt) -> Attempt
@@ -273,7 +273,7 @@ void BpmModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &
 
 void BpmModel::keep_books(const DynamicsReport &report, const double moving)
 {
-  for (Wall &wall : moving_walls)
+  for (Wall<2> &wall : moving_walls)
     accept_pressure(wall);
   balance.momentum.of_walls += report.wall_impulse + report.driven_impulse;
   balance.momentum.of_loads += report.cell_impulse;
@@ -317,7 +317,7 @@ Energies BpmModel::energies() const
   Energies energies;
   const DynamicsSums sums = dynamics->sums();
   energies.kinetic = sums.kinetic;
-  for (const Wall &wall : moving_walls)
+  for (const Wall<2> &wall : moving_walls)
     energies.kinetic += kinetic_energy_of(wall);
   energies.elastic = sums.attraction;
   energies.dissipated = balance.dissipated();
@@ -350,7 +350,7 @@ std::vector<std::pair<std::string, double>> BpmModel::works() const
   Workers workers;
   workers.loads = load_names;
   workers.cell = std::any_of(moving_walls.begin(), moving_walls.end(),
-                             [](const Wall &wall) { return is_side_of_cell(wall); });
+                             [](const Wall<2> &wall) { return is_side_of_cell(wall); });
   workers.driven_bodies = std::any_of(fixed.begin(), fixed.end(), [](const bool one) { return one; });
   workers.adhesion = settings.dynamics.pairs.adhere();
   return columns_of_work(balance, moving_walls, moving_obstacles, workers);

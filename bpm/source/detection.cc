@@ -96,7 +96,7 @@ void Dynamics::attract_and_find(const std::size_t tile, AttractionBatch<2> &batc
   tile_energy[tile] = energy;
 }
 
-void Dynamics::detect(const std::vector<Wall> &walls)
+void Dynamics::detect(const std::vector<Wall<2>> &walls)
 {
   std::optional<dealii::TimerOutput::Scope> section;
   if (timer != nullptr)
@@ -189,7 +189,7 @@ void Dynamics::set_row(const std::size_t row,
   }
 }
 
-void Dynamics::collect(const std::vector<Wall> &walls)
+void Dynamics::collect(const std::vector<Wall<2>> &walls)
 {
   rows.colour_start = list.colour_start();
   rows.tile_start.assign(1, 0);

@@ -33,7 +33,7 @@ contact::NeighbourList::Range range_of(const double contact_reach,
 }
 
 /// Work that @p wall has done in the step.
-void book(const double work, Wall &wall, DynamicsReport &report)
+void book(const double work, Wall<2> &wall, DynamicsReport &report)
 {
   wall.book.work += work;
   report.wall_work += work;
@@ -100,7 +100,7 @@ double Dynamics::contact_reach() const
 }
 
 void Dynamics::prepare_bodies(const double dt,
-                              const std::vector<Wall> &walls,
+                              const std::vector<Wall<2>> &walls,
                               const std::vector<std::array<double, 2>> &acceleration)
 {
   const std::size_t n = primaries.size();
@@ -121,7 +121,7 @@ void Dynamics::prepare_bodies(const double dt,
                });
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
-    const Wall &wall = walls[w];
+    const Wall<2> &wall = walls[w];
     FreeWallStep step{0., wall.speed};
     if (!wall.prescribed())
       step = free_wall_step(wall, dt, 1.);
@@ -148,7 +148,7 @@ void Dynamics::prepare_bodies(const double dt,
   }
 }
 
-void Dynamics::prepare_gap_velocities(const double dt, const std::vector<Wall> &walls)
+void Dynamics::prepare_gap_velocities(const double dt, const std::vector<Wall<2>> &walls)
 {
   const std::size_t n = primaries.size();
   parallel_for(rows.size(), grain,
@@ -181,7 +181,7 @@ void Dynamics::prepare_gap_velocities(const double dt, const std::vector<Wall> &
   }
 }
 
-void Dynamics::let_slide(const double dt, const std::size_t w, Wall &wall, DynamicsReport &report) const
+void Dynamics::let_slide(const double dt, const std::size_t w, Wall<2> &wall, DynamicsReport &report) const
 {
   const std::array<double, 2> &v = bodies.velocity[primaries.size() + w];
   const double push = dt * (wall.book.force * wall.tangent());
@@ -197,7 +197,7 @@ void Dynamics::let_slide(const double dt, const std::size_t w, Wall &wall, Dynam
   wall.slide_speed = after;
 }
 
-void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsReport &report)
+void Dynamics::move_walls(const double dt, std::vector<Wall<2>> &walls, DynamicsReport &report)
 {
   const std::size_t n = primaries.size();
   std::vector<double> normal_impulse(walls.size(), 0.), tangential_impulse(walls.size(), 0.);
@@ -213,7 +213,7 @@ void Dynamics::move_walls(const double dt, std::vector<Wall> &walls, DynamicsRep
     tell_of_walls(normal_impulse, tangential_impulse);
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
-    Wall &wall = walls[w];
+    Wall<2> &wall = walls[w];
     if (is_side_of_cell(wall))
       normal_impulse[w] = -dt * (wall.book.force * wall.normal());
     else
@@ -277,7 +277,7 @@ void Dynamics::move_primaries(const double dt)
 }
 
 DynamicsReport Dynamics::step(const double dt,
-                              std::vector<Wall> &walls,
+                              std::vector<Wall<2>> &walls,
                               const std::vector<std::array<double, 2>> &acceleration,
                               const std::vector<std::vector<std::array<double, 2>>> &of_loads)
 {

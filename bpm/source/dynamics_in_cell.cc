@@ -6,21 +6,21 @@ namespace softgrain::bpm
 {
 namespace
 {
-CellMotion motion_of(const std::vector<Wall> &walls)
+CellMotion motion_of(const std::vector<Wall<2>> &walls)
 {
   CellMotion motion;
   motion.cell = cell_of(walls);
-  for (const Wall &wall : walls)
+  for (const Wall<2> &wall : walls)
     if (is_side_of_cell(wall))
       motion.add_side(wall.normal(), wall.velocity());
   return motion;
 }
 } // namespace
 
-void Dynamics::see_cell(const std::vector<Wall> &walls)
+void Dynamics::see_cell(const std::vector<Wall<2>> &walls)
 {
   cell.reset();
-  for (const Wall &wall : walls)
+  for (const Wall<2> &wall : walls)
     if (is_side_of_cell(wall))
     {
       cell = motion_of(walls);
@@ -60,11 +60,11 @@ Dynamics::branch(const std::uint32_t a, const std::uint32_t b, const PeriodicCel
   return center_of_body[primaries.body[a]] - center_of_body[primaries.body[b]] - cell->cell.shift(image);
 }
 
-void Dynamics::prepare_cell(const double dt, const std::vector<Wall> &walls)
+void Dynamics::prepare_cell(const double dt, const std::vector<Wall<2>> &walls)
 {
   cell = motion_of(walls);
   bodies.cell = contact::DiskCell();
-  for (const Wall &wall : walls)
+  for (const Wall<2> &wall : walls)
     if (is_side_of_cell(wall))
     {
       const unsigned int d = axis_of(wall.normal());
@@ -87,7 +87,7 @@ void Dynamics::prepare_cell(const double dt, const std::vector<Wall> &walls)
       bodies.cell.gradient[k][l] = cell->gradient[k][l];
 }
 
-void Dynamics::load_cell(const double dt, std::vector<Wall> &walls) const
+void Dynamics::load_cell(const double dt, std::vector<Wall<2>> &walls) const
 {
   dealii::Tensor<2, 2> virial;
   for (std::size_t row = 0; row < rows.size(); ++row)
@@ -103,16 +103,16 @@ void Dynamics::load_cell(const double dt, std::vector<Wall> &walls) const
   load_sides(walls, cell->cell, virial);
 }
 
-void Dynamics::take_along(const double dt, std::vector<Wall> &walls, DynamicsReport &report)
+void Dynamics::take_along(const double dt, std::vector<Wall<2>> &walls, DynamicsReport &report)
 {
   // Sides have their speeds at the end of the step.
   CellMotion motion;
   motion.cell = cell->cell;
-  for (const Wall &wall : walls)
+  for (const Wall<2> &wall : walls)
     if (is_side_of_cell(wall))
       motion.add_side(wall.normal(), wall.velocity());
   const double offset = motion.offset_after(dt);
-  for (Wall &wall : walls)
+  for (Wall<2> &wall : walls)
     if (is_side_of_cell(wall))
       wall.offset = offset;
   if (!motion.deforms())

@@ -27,11 +27,11 @@ std::vector<std::uint32_t> primaries_of(const List &at_walls)
 }
 } // namespace
 
-void Dynamics::share_by(const Exchange &everyone, const std::vector<Wall> &walls)
+void Dynamics::share_by(const Exchange &everyone, const std::vector<Wall<2>> &walls)
 {
   exchange = &everyone;
   const bool repeats =
-      std::any_of(walls.begin(), walls.end(), [](const Wall &w) { return is_side_of_cell(w); });
+      std::any_of(walls.begin(), walls.end(), [](const Wall<2> &w) { return is_side_of_cell(w); });
   if (exchange->alone() || repeats || remembered.adhesion.acts() || obstacles != nullptr ||
       primaries.size() < fewest_to_part)
     return;
@@ -74,7 +74,7 @@ void Dynamics::drop_guests()
     primaries.start.resize(n);
 }
 
-void Dynamics::take_back_motion(const std::vector<Wall> &walls)
+void Dynamics::take_back_motion(const std::vector<Wall<2>> &walls)
 {
   primaries.position = kept.position;
   primaries.velocity = kept.velocity;
@@ -126,7 +126,7 @@ std::vector<double> Dynamics::wall_list(const std::vector<AtWall> &at_walls,
   return numbers;
 }
 
-void Dynamics::bring_wall_rows(const std::vector<Wall> &walls)
+void Dynamics::bring_wall_rows(const std::vector<Wall<2>> &walls)
 {
   const Exchange &all = share->exchange;
   const std::vector<AtWall> here = find_at_walls(walls, 0, share->n_own());

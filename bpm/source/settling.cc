@@ -30,7 +30,7 @@ struct MotionOf<2> : Dynamics
   double mean_diameter() const { return disks().mean_diameter(); }
   double kinetic_energy() const { return sums().kinetic; }
   double penetration() const { return present().penetration(); }
-  std::vector<Wall> no_walls;
+  std::vector<Wall<2>> no_walls;
 };
 template <>
 struct MotionOf<3> : BallDynamics

@@ -101,11 +101,11 @@ StepReport SpaceModel::advance(const double dt_limit)
   const double limit =
       std::max(settings.largest_penetration * dynamics->mean_diameter(), dynamics->present().penetration());
   dynamics->keep_motion();
-  const std::vector<SpaceWall> walls_before = moving_walls;
+  const std::vector<Wall<3>> walls_before = moving_walls;
   const auto try_step = [&](const double dt) -> Attempt
   {
-    for (SpaceWall &wall : moving_walls)
-      wall.plan(now, dt);
+    for (Wall<3> &wall : moving_walls)
+      plan(wall, now, dt);
     BallReport done;
     try
     {
@@ -141,7 +141,7 @@ StepReport SpaceModel::advance(const double dt_limit)
 
 void SpaceModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
 {
-  softgrain::take_drives(moving_walls, drives, now);
+  softgrain::take_drives(moving_walls, drives, now, false);
 }
 
 void SpaceModel::keep_books(const BallReport &report)
@@ -181,8 +181,8 @@ Energies SpaceModel::energies() const
   energies.elastic = dynamics->sums().attraction;
   energies.dissipated = contact_loss;
   energies.external_work = load_work.sum();
-  for (const SpaceWall &wall : moving_walls)
-    energies.external_work += wall.work;
+  for (const Wall<3> &wall : moving_walls)
+    energies.external_work += wall.book.work;
   return energies;
 }
 
@@ -203,8 +203,8 @@ SizeReport SpaceModel::size_report() const
 std::vector<std::pair<std::string, double>> SpaceModel::works() const
 {
   std::vector<std::pair<std::string, double>> columns;
-  for (const SpaceWall &wall : moving_walls)
-    columns.emplace_back(wall.description.name + "_work_J", wall.work);
+  for (const Wall<3> &wall : moving_walls)
+    columns.emplace_back(wall.description.name + "_work_J", wall.book.work);
   for (const std::string &load : scene.loads.names())
     columns.emplace_back(load + "_work_J", load_work.of(load));
   return columns;
@@ -215,9 +215,9 @@ std::vector<std::pair<std::string, double>> SpaceModel::extra_history() const
   std::vector<std::pair<std::string, double>> columns = {
       {"contacts", static_cast<double>(dynamics->present().rows().size())},
       {"plain_solves", static_cast<double>(fallbacks)}};
-  for (const SpaceWall &wall : moving_walls)
+  for (const Wall<3> &wall : moving_walls)
     if (wall.description.drive->slides())
-      columns.emplace_back(wall.description.name + "_tangential_force_N", wall.state().tangential_force);
+      columns.emplace_back(wall.description.name + "_tangential_force_N", state_of(wall).tangential_force);
   return columns;
 }
 

@@ -94,8 +94,8 @@ SpaceModel::SpaceModel(const Scene<3> &scene_description, const Settings &model_
   directions = cluster_directions(double(balls.size()) / scene.bodies.size(), vertices_of_a_primary);
   dynamics = std::make_unique<BallDynamics>(std::move(balls), law_of_body, settings.dynamics);
   dynamics->set_timer(timer.get());
-  for (SpaceWall &wall : moving_walls)
-    wall.plan(0., wanted_step());
+  for (Wall<3> &wall : moving_walls)
+    plan(wall, 0., wanted_step());
   dynamics->detect(moving_walls);
   check_apart();
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)

@@ -69,10 +69,7 @@ double SpaceModel::solid_area() const
 
 std::vector<WallState<3>> SpaceModel::walls() const
 {
-  std::vector<WallState<3>> states;
-  for (const SpaceWall &wall : moving_walls)
-    states.push_back(wall.state());
-  return states;
+  return states_of(moving_walls);
 }
 
 double SpaceModel::coordination() const

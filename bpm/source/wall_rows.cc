@@ -4,13 +4,14 @@
 
 namespace softgrain::bpm
 {
-std::vector<Dynamics::AtWall>
-Dynamics::find_at_walls(const std::vector<Wall> &walls, const std::size_t begin, const std::size_t end) const
+std::vector<Dynamics::AtWall> Dynamics::find_at_walls(const std::vector<Wall<2>> &walls,
+                                                      const std::size_t begin,
+                                                      const std::size_t end) const
 {
   std::vector<AtWall> at_walls;
   for (std::uint32_t w = 0; w < walls.size(); ++w)
   {
-    const Wall &wall = walls[w];
+    const Wall<2> &wall = walls[w];
     if (is_side_of_cell(wall))
       continue;
     const dealii::Point<2> &start = wall.description.point;
@@ -29,7 +30,7 @@ Dynamics::find_at_walls(const std::vector<Wall> &walls, const std::size_t begin,
   return at_walls;
 }
 
-void Dynamics::add_wall_rows(const std::vector<Wall> &walls, const std::vector<AtWall> &at_walls)
+void Dynamics::add_wall_rows(const std::vector<Wall<2>> &walls, const std::vector<AtWall> &at_walls)
 {
   std::size_t row = rows.size();
   resize_rows(row + at_walls.size());

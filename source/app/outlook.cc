@@ -27,7 +27,7 @@ public:
   struct State
   {
     double time = 0.; ///< [s]
-    std::vector<Wall> walls;
+    std::vector<Wall<2>> walls;
   };
   State state() const { return {now, moving}; }
   void restore(const State &state)
@@ -39,7 +39,7 @@ public:
   StepReport advance(const double dt) override
   {
     const std::optional<Box<2>> before = box_of(walls());
-    for (Wall &wall : moving)
+    for (Wall<2> &wall : moving)
     {
       wall.speed = wall.prescribed() ? demand_of(wall, now, dt).velocity : 0.;
       wall.travel += dt * wall.speed;
@@ -82,7 +82,7 @@ private:
   void give_way(const double area_before)
   {
     const std::optional<Box<2>> box = box_of(walls());
-    const auto yields = [](const Wall &wall) { return !wall.prescribed() && !is_side_of_cell(wall); };
+    const auto yields = [](const Wall<2> &wall) { return !wall.prescribed() && !is_side_of_cell(wall); };
     const unsigned int n = std::count_if(moving.begin(), moving.end(), yields);
     const double lost = box ? area_before - box->volume() : 0.;
     for (std::size_t w = 0; w < moving.size() && lost != 0.; ++w)
@@ -92,7 +92,7 @@ private:
 
   double area;
   double now = 0.;
-  std::vector<Wall> moving;
+  std::vector<Wall<2>> moving;
 };
 
 /// Whether walls that face each other came nearer or went apart by more than part of their distance.

@@ -13,11 +13,11 @@ void CellMotion::add_side(const dealii::Tensor<1, 2> &normal, const dealii::Tens
     gradient[e][d] += (lower ? -1. : 1.) * side_velocity[e] / cell.length[d];
 }
 
-PeriodicCell<2> cell_of(const std::vector<Wall> &walls)
+PeriodicCell<2> cell_of(const std::vector<Wall<2>> &walls)
 {
   std::vector<CellSide<2>> sides;
   double offset = 0.;
-  for (const Wall &wall : walls)
+  for (const Wall<2> &wall : walls)
     if (is_side_of_cell(wall))
     {
       sides.push_back({wall.point(), wall.normal()});
@@ -26,9 +26,9 @@ PeriodicCell<2> cell_of(const std::vector<Wall> &walls)
   return make_cell(sides, offset);
 }
 
-void load_sides(std::vector<Wall> &walls, const PeriodicCell<2> &cell, const dealii::Tensor<2, 2> &virial)
+void load_sides(std::vector<Wall<2>> &walls, const PeriodicCell<2> &cell, const dealii::Tensor<2, 2> &virial)
 {
-  for (Wall &wall : walls)
+  for (Wall<2> &wall : walls)
     if (is_side_of_cell(wall))
       wall.book.force = -1. / cell.length[axis_of(wall.normal())] * (virial * wall.normal());
 }

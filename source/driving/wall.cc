@@ -5,7 +5,6 @@
 #include <softgrain/geometry/box.h>
 #include <softgrain/geometry/periodic_cell.h>
 #include <softgrain/geometry/shape.h>
-#include <softgrain/model/state_file.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +13,6 @@ namespace softgrain
 {
 namespace
 {
-constexpr std::size_t n_numbers = 10; // that the state of a wall is made of
-
-bool keeps_slide(const Wall &wall)
-{
-  return wall.slide_speed != 0. || wall.offset != 0.;
-}
-
 FreeWallStep free_step(const double mass,
                        const double damping,
                        const double speed,
@@ -37,6 +29,15 @@ FreeWallStep free_step(const double mass,
   return step;
 }
 
+/// Gives a wall the masses with which its drive moves it.
+template <int dim>
+void weigh(Wall<dim> &wall)
+{
+  const double mass = wall.description.drive->inertia().mass.value_or(wall.free.usual_mass);
+  wall.free.across.mass = wall.prescribed() ? 0. : mass;
+  wall.free.along.mass = slides_freely(wall) ? mass : 0.;
+}
+
 /// Whether a wall moves along its tangent at all.
 bool goes_along(const WallDescription<2> &wall)
 {
@@ -49,9 +50,10 @@ std::string tangential_key(const WallDescription<2> &wall)
 }
 } // namespace
 
-WallState<2> state_of(const Wall &wall)
+template <int dim>
+WallState<dim> state_of(const Wall<dim> &wall)
 {
-  WallState<2> state;
+  WallState<dim> state;
   state.name = wall.description.name;
   state.point = wall.point();
   state.normal = wall.normal();
@@ -65,13 +67,13 @@ WallState<2> state_of(const Wall &wall)
   return state;
 }
 
-dealii::Tensor<1, 2> prescribed_velocity_of(const Wall &wall)
+dealii::Tensor<1, 2> prescribed_velocity_of(const Wall<2> &wall)
 {
   return (wall.prescribed() ? wall.speed : 0.) * wall.description.normal +
          (slides_freely(wall) ? 0. : wall.slide_speed) * wall.tangent();
 }
 
-void put_pressure(Wall &wall, const double asked, const double length, const double share_of_damping)
+void put_pressure(Wall<2> &wall, const double asked, const double length, const double share_of_damping)
 {
   FreeMotion &free = wall.free;
   const WallDrive &drive = *wall.description.drive;
@@ -83,7 +85,7 @@ void put_pressure(Wall &wall, const double asked, const double length, const dou
       2. * std::sqrt(free.across.mass * std::abs(free.pressure)) * share_of_damping);
 }
 
-void put_shear(Wall &wall, const double asked, const double length)
+void put_shear(Wall<2> &wall, const double asked, const double length)
 {
   WallLoad &along = wall.free.along;
   along.force = asked * length;
@@ -91,7 +93,8 @@ void put_shear(Wall &wall, const double asked, const double length)
       wall.description.drive->inertia().damping.value_or(2. * std::sqrt(along.mass * std::abs(asked)));
 }
 
-double kinetic_energy_of(const Wall &wall)
+template <int dim>
+double kinetic_energy_of(const Wall<dim> &wall)
 {
   return 0.5 * (wall.free.across.mass * wall.speed * wall.speed +
                 wall.free.along.mass * wall.slide_speed * wall.slide_speed);
@@ -100,61 +103,85 @@ double kinetic_energy_of(const Wall &wall)
 namespace
 {
 /// The step of a wall as its drive sees it.
-WallStep step_of(const Wall &wall, const double time, const double dt, const double stress_beside = 0.)
+template <int dim>
+WallStep step_of(const Wall<dim> &wall, const double time, const double dt, const double stress_beside = 0.)
 {
   return {time - wall.driven_since.time, dt, wall.travel - wall.driven_since.travel, stress_beside};
 }
 } // namespace
 
-WallDemand demand_of(const Wall &wall, const double time, const double dt, const double stress_beside)
+template <int dim>
+WallDemand demand_of(const Wall<dim> &wall, const double time, const double dt, const double stress_beside)
 {
   return wall.description.drive->demand(step_of(wall, time, dt, stress_beside));
 }
 
-double demanded_slide(const Wall &wall, const double time, const double dt)
+template <int dim>
+double demanded_slide(const Wall<dim> &wall, const double time, const double dt)
 {
   const WallDrive &drive = *wall.description.drive;
   return drive.slides() ? drive.slide_velocity(step_of(wall, time, dt)) : 0.;
 }
 
-double demanded_shear(const Wall &wall, const double time, const double dt)
+template <int dim>
+void plan(Wall<dim> &wall, const double time, const double dt)
+{
+  wall.speed = demand_of(wall, time, dt).velocity;
+  wall.slide_speed = demanded_slide(wall, time, dt);
+}
+
+double demanded_shear(const Wall<2> &wall, const double time, const double dt)
 {
   return wall.description.drive->shear_stress(step_of(wall, time, dt));
 }
 
-FreeWallStep free_wall_step(const Wall &wall, const double dt, const double theta, const double impulse)
+FreeWallStep free_wall_step(const Wall<2> &wall, const double dt, const double theta, const double impulse)
 {
   return free_step(wall.free.across.mass, wall.free.across.damping, wall.speed, wall.free.across.force,
                    impulse, dt, theta);
 }
 
-FreeWallStep free_slide_step(const Wall &wall, const double dt, const double theta, const double impulse)
+FreeWallStep free_slide_step(const Wall<2> &wall, const double dt, const double theta, const double impulse)
 {
   return free_step(wall.free.along.mass, wall.free.along.damping, wall.slide_speed, wall.free.along.force,
                    impulse, dt, theta);
 }
 
-std::vector<Wall> make_walls(const Scene<2> &scene)
+namespace
+{
+/// What walls that are free weigh if nothing is given: a tenth of what moves [kg/m].
+double usual_mass(const Scene<2> &scene)
 {
   double mass = 0.;
   for (const BodyDescription<2> &body : scene.bodies)
     if (!body.driven)
       mass += scene.materials[body.material].density * body.shape->area();
-  std::vector<Wall> walls;
-  for (const WallDescription<2> &description : scene.walls)
+  return 0.1 * mass;
+}
+
+/// Walls in space bear their loads without inertia.
+double usual_mass(const Scene<3> &)
+{
+  return 0.;
+}
+} // namespace
+
+template <int dim>
+std::vector<Wall<dim>> make_walls(const Scene<dim> &scene)
+{
+  const double mass = usual_mass(scene);
+  std::vector<Wall<dim>> walls;
+  for (const WallDescription<dim> &description : scene.walls)
   {
-    walls.emplace_back();
-    walls.back().description = description;
-    walls.back().free.usual_mass = 0.1 * mass;
-    if (!walls.back().prescribed())
-      walls.back().free.across.mass = description.drive->inertia().mass.value_or(0.1 * mass);
-    if (description.drive->shears())
-      walls.back().free.along.mass = description.drive->inertia().mass.value_or(0.1 * mass);
+    Wall<dim> &wall = walls.emplace_back();
+    wall.description = description;
+    wall.free.usual_mass = mass;
+    weigh(wall);
   }
   return walls;
 }
 
-double stress_beside(const std::vector<Wall> &walls, const std::size_t w)
+double stress_beside(const std::vector<Wall<2>> &walls, const std::size_t w)
 {
   double sum = 0.;
   unsigned int n = 0;
@@ -170,7 +197,8 @@ double stress_beside(const std::vector<Wall> &walls, const std::size_t w)
   return n > 0 ? sum / n : 0.;
 }
 
-void take_drives(std::vector<Wall> &walls,
+template <int dim>
+void take_drives(std::vector<Wall<dim>> &walls,
                  const std::vector<std::shared_ptr<const WallDrive>> &drives,
                  const double time,
                  const bool inertia)
@@ -179,14 +207,12 @@ void take_drives(std::vector<Wall> &walls,
   {
     if (!drives[w])
       continue;
-    Wall &wall = walls[w];
+    Wall<dim> &wall = walls[w];
     const double energy_before = kinetic_energy_of(wall);
     wall.description.drive = drives[w];
     wall.driven_since.time = time;
     wall.driven_since.travel = wall.travel;
-    wall.free.across.mass = wall.prescribed() ? 0. : drives[w]->inertia().mass.value_or(wall.free.usual_mass);
-    wall.free.along.mass =
-        slides_freely(wall) ? drives[w]->inertia().mass.value_or(wall.free.usual_mass) : 0.;
+    weigh(wall);
     if (inertia)
       wall.book.work += kinetic_energy_of(wall) - energy_before;
   }
@@ -246,57 +272,36 @@ void check_sliding_walls(const Scene<2> &scene)
   }
 }
 
-std::vector<WallState<2>> states_of(const std::vector<Wall> &walls)
+template <int dim>
+std::vector<WallState<dim>> states_of(const std::vector<Wall<dim>> &walls)
 {
-  std::vector<WallState<2>> states;
-  for (const Wall &wall : walls)
+  std::vector<WallState<dim>> states;
+  for (const Wall<dim> &wall : walls)
     states.push_back(state_of(wall));
   return states;
 }
 
-double pressed_length(const std::vector<Wall> &walls, const std::size_t w)
+double pressed_length(const std::vector<Wall<2>> &walls, const std::size_t w)
 {
   return length_between_neighbours_2d(states_of(walls), w);
 }
 
-void save_walls(StateWriter &out, const std::string &name, const std::vector<Wall> &walls)
-{
-  std::vector<double> numbers;
-  for (const Wall &wall : walls)
-    numbers.insert(numbers.end(), {wall.travel, wall.speed, wall.book.force[0], wall.book.force[1],
-                                   wall.book.impulse[0], wall.book.impulse[1], wall.free.pressure_before,
-                                   wall.driven_since.time, wall.driven_since.travel, wall.book.work});
-  out.write(name, numbers);
-  if (std::none_of(walls.begin(), walls.end(), keeps_slide))
-    return;
-  std::vector<double> sliding;
-  for (const Wall &wall : walls)
-    sliding.insert(sliding.end(), {wall.slide_speed, wall.offset});
-  out.write(name + "_sliding", sliding);
-}
-
-void load_walls(const StateReader &in, const std::string &name, std::vector<Wall> &walls)
-{
-  const std::vector<double> numbers = in.read_doubles(name, n_numbers * walls.size());
-  for (std::size_t w = 0; w < walls.size(); ++w)
-  {
-    const double *v = &numbers[n_numbers * w];
-    walls[w].travel = v[0];
-    walls[w].speed = v[1];
-    walls[w].book.force = dealii::Tensor<1, 2>({v[2], v[3]});
-    walls[w].book.impulse = dealii::Tensor<1, 2>({v[4], v[5]});
-    walls[w].free.pressure = walls[w].free.pressure_before = v[6];
-    walls[w].driven_since.time = v[7];
-    walls[w].driven_since.travel = v[8];
-    walls[w].book.work = v[9];
-  }
-  if (!in.contains(name + "_sliding"))
-    return;
-  const std::vector<double> sliding = in.read_doubles(name + "_sliding", 2 * walls.size());
-  for (std::size_t w = 0; w < walls.size(); ++w)
-  {
-    walls[w].slide_speed = sliding[2 * w];
-    walls[w].offset = sliding[2 * w + 1];
-  }
-}
+template WallState<2> state_of(const Wall<2> &);
+template double kinetic_energy_of(const Wall<2> &);
+template WallDemand demand_of(const Wall<2> &, double, double, double);
+template double demanded_slide(const Wall<2> &, double, double);
+template void plan(Wall<2> &, double, double);
+template std::vector<Wall<2>> make_walls(const Scene<2> &);
+template void
+take_drives(std::vector<Wall<2>> &, const std::vector<std::shared_ptr<const WallDrive>> &, double, bool);
+template std::vector<WallState<2>> states_of(const std::vector<Wall<2>> &);
+template WallState<3> state_of(const Wall<3> &);
+template double kinetic_energy_of(const Wall<3> &);
+template WallDemand demand_of(const Wall<3> &, double, double, double);
+template double demanded_slide(const Wall<3> &, double, double);
+template void plan(Wall<3> &, double, double);
+template std::vector<Wall<3>> make_walls(const Scene<3> &);
+template void
+take_drives(std::vector<Wall<3>> &, const std::vector<std::shared_ptr<const WallDrive>> &, double, bool);
+template std::vector<WallState<3>> states_of(const std::vector<Wall<3>> &);
 } // namespace softgrain

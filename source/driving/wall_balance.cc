@@ -6,7 +6,7 @@
 
 namespace softgrain
 {
-double unbalanced(const std::vector<Wall> &walls)
+double unbalanced(const std::vector<Wall<2>> &walls)
 {
   double largest = 0.;
   const auto look = [&largest](const double load, const double force)
@@ -14,7 +14,7 @@ double unbalanced(const std::vector<Wall> &walls)
     const double left_over = std::abs(load + force);
     largest = std::max(largest, left_over > 0. ? left_over / std::abs(load) : 0.);
   };
-  for (const Wall &wall : walls)
+  for (const Wall<2> &wall : walls)
   {
     if (!wall.prescribed())
       look(wall.free.across.force, wall.book.force * wall.normal());

@@ -6,7 +6,7 @@
 
 namespace softgrain
 {
-double step_of_wall_way(const std::vector<Wall> &walls,
+double step_of_wall_way(const std::vector<Wall<2>> &walls,
                         const double time,
                         const double way,
                         const double shortest,
@@ -15,7 +15,7 @@ double step_of_wall_way(const std::vector<Wall> &walls,
   const auto way_in = [&](const double dt)
   {
     double farthest = 0.;
-    for (const Wall &wall : walls)
+    for (const Wall<2> &wall : walls)
       if (wall.prescribed())
         farthest = std::max(
             farthest, std::hypot(demand_of(wall, time, dt).velocity, demanded_slide(wall, time, dt)) * dt);

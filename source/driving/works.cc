@@ -4,11 +4,11 @@
 namespace softgrain
 {
 double external_work(const Balance &balance,
-                     const std::vector<Wall> &walls,
+                     const std::vector<Wall<2>> &walls,
                      const std::vector<Obstacle<2>> &obstacles)
 {
   double sum = balance.work_beside_walls();
-  for (const Wall &wall : walls)
+  for (const Wall<2> &wall : walls)
     sum += wall.book.work;
   for (const Obstacle<2> &obstacle : obstacles)
     sum += obstacle.work;
@@ -16,7 +16,7 @@ double external_work(const Balance &balance,
 }
 
 std::vector<std::pair<std::string, double>> columns_of_work(const Balance &balance,
-                                                            const std::vector<Wall> &walls,
+                                                            const std::vector<Wall<2>> &walls,
                                                             const std::vector<Obstacle<2>> &obstacles,
                                                             const Workers &workers)
 {
@@ -26,7 +26,7 @@ std::vector<std::pair<std::string, double>> columns_of_work(const Balance &balan
     if (there)
       columns.emplace_back(name + "_work_J_per_m", work);
   };
-  for (const Wall &wall : walls)
+  for (const Wall<2> &wall : walls)
     add(true, wall.description.name, wall.book.work);
   for (const Obstacle<2> &obstacle : obstacles)
     add(true, obstacle.description.name, obstacle.work);

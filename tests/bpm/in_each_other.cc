@@ -51,7 +51,7 @@ void look(const std::string &what, const std::vector<std::array<double, 2>> &pla
 void pass(const std::string &what, const std::array<double, 2> &velocity)
 {
   bpm::Dynamics dynamics(disks({{0., 0.}, {5., 0.}}, {velocity, {0., 0.}}), {}, {}, bpm::DynamicsSettings());
-  std::vector<Wall> none;
+  std::vector<Wall<2>> none;
   dynamics.detect(none);
   show(what, dynamics.step(1., none, {}).on_the_way);
 }

@@ -73,7 +73,7 @@ public:
   const std::array<double, 2> &place() const { return dynamics->disks().position[0]; }
   const std::array<double, 2> &velocity() const { return dynamics->disks().velocity[0]; }
 
-  std::vector<Wall> walls;
+  std::vector<Wall<2>> walls;
   std::vector<Obstacle<2>> obstacles;
   std::unique_ptr<bpm::Dynamics> dynamics;
   double time = 0;

@@ -60,7 +60,7 @@ public:
   const std::array<double, 2> &place() const { return dynamics->disks().position[0]; }
   double spin() const { return dynamics->disks().angular_velocity[0]; }
 
-  std::vector<Wall> walls;
+  std::vector<Wall<2>> walls;
   std::vector<Obstacle<2>> obstacles;
   std::unique_ptr<bpm::Dynamics> dynamics;
   double time = 0;

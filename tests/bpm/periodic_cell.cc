@@ -17,12 +17,12 @@ using namespace softgrain::bpm;
 
 namespace
 {
-Wall side(const dealii::Point<2> &point,
-          const dealii::Tensor<1, 2> &normal,
-          const double speed,
-          const double pressure)
+Wall<2> side(const dealii::Point<2> &point,
+             const dealii::Tensor<1, 2> &normal,
+             const double speed,
+             const double pressure)
 {
-  Wall wall;
+  Wall<2> wall;
   wall.description.type = WallDescription<2>::Type::periodic;
   wall.description.point = point;
   wall.description.normal = normal;
@@ -33,7 +33,7 @@ Wall side(const dealii::Point<2> &point,
 }
 
 /// Bottom, top, left and right; top and right close on the cell, with a speed or under a pressure.
-std::vector<Wall> sides(const double width, const double height, const double speed, const double pressure)
+std::vector<Wall<2>> sides(const double width, const double height, const double speed, const double pressure)
 {
   const dealii::Tensor<1, 2> x({1., 0.}), y({0., 1.});
   return {side({0., 0.}, y, 0., 0.), side({0., height}, -y, speed, pressure), side({0., 0.}, x, 0., 0.),
@@ -68,7 +68,7 @@ void across_edges(const double friction)
   disks.position = {{15., 25.}, {33., 28.}};
   shifted.position = {{45., 50.}, {3., 3.}}; // the second one a cell to the left and one down
   Dynamics middle = dynamics(disks, friction), edge = dynamics(shifted, friction);
-  std::vector<Wall> of_middle = sides(60., 50., 0., 0.), of_edge = of_middle;
+  std::vector<Wall<2>> of_middle = sides(60., 50., 0., 0.), of_edge = of_middle;
   middle.detect(of_middle);
   edge.detect(of_edge);
   double apart = 0.;
@@ -122,7 +122,7 @@ void deform(const std::string &what,
   if (friction > 0.)
     start.angular_velocity.assign(start.size(), 0.);
   Dynamics model = dynamics(start, friction);
-  std::vector<Wall> walls = sides(20.4, 20.4, speed, pressure);
+  std::vector<Wall<2>> walls = sides(20.4, 20.4, speed, pressure);
   model.detect(walls);
   const double dt = 0.05, at_start = model.sums().kinetic;
   dealii::Tensor<1, 2> given = momentum(start);
@@ -142,7 +142,7 @@ void deform(const std::string &what,
     books += report.wall_work - report.contact_loss - report.damping_loss;
     given += report.cell_impulse;
     double kinetic = model.sums().kinetic;
-    for (const Wall &wall : walls)
+    for (const Wall<2> &wall : walls)
       kinetic += kinetic_energy_of(wall);
     off = std::max(off, std::abs(kinetic - books));
     largest = std::max(largest, kinetic);

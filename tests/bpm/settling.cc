@@ -47,7 +47,7 @@ double moved(const bpm::Aggregate<2> &aggregate, const double dt, const bool tou
   if (!touching)
     settings.contact_range = -1.;
   bpm::Dynamics dynamics(at_rest(aggregate), {attraction()}, {}, settings);
-  std::vector<Wall> none;
+  std::vector<Wall<2>> none;
   dynamics.detect(none);
   dynamics.step(dt, none, {});
   double sum = 0.;
@@ -64,7 +64,7 @@ double given(const bpm::Aggregate<2> &aggregate, const double dt)
   settings.solver.tolerance = 1e-10;
   settings.solver_penetration = 1e-12;
   bpm::Dynamics dynamics(at_rest(aggregate), {attraction()}, {}, settings);
-  std::vector<Wall> none;
+  std::vector<Wall<2>> none;
   dynamics.detect(none);
   const double start = dynamics.sums().attraction;
   double highest = start;

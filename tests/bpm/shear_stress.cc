@@ -16,13 +16,13 @@ using namespace softgrain::bpm;
 
 namespace
 {
-Wall wall_at(const dealii::Point<2> &point,
-             const dealii::Tensor<1, 2> &normal,
-             const bool pressed,
-             const bool sheared,
-             const WallDescription<2>::Type type)
+Wall<2> wall_at(const dealii::Point<2> &point,
+                const dealii::Tensor<1, 2> &normal,
+                const bool pressed,
+                const bool sheared,
+                const WallDescription<2>::Type type)
 {
-  Wall wall;
+  Wall<2> wall;
   wall.description.type = type;
   wall.description.point = point;
   wall.description.normal = normal;
@@ -59,11 +59,11 @@ struct Books
 {
   explicit Books(const Dynamics &model) : sum(model.sums().kinetic) {}
 
-  void look(const Dynamics &model, const DynamicsReport &report, const std::vector<Wall> &walls)
+  void look(const Dynamics &model, const DynamicsReport &report, const std::vector<Wall<2>> &walls)
   {
     sum += report.wall_work - report.contact_loss - report.damping_loss;
     double kinetic = model.sums().kinetic;
-    for (const Wall &wall : walls)
+    for (const Wall<2> &wall : walls)
       kinetic += kinetic_energy_of(wall);
     largest = std::max({largest, kinetic, std::abs(sum)});
     off = std::max(off, std::abs(kinetic - sum));
@@ -84,8 +84,8 @@ void roll(const double friction, const double load, const double shear)
   disk.body = {0};
   const dealii::Tensor<1, 2> up({0., 1.});
   using Type = WallDescription<2>::Type;
-  std::vector<Wall> walls = {wall_at({0., 0.}, up, false, false, Type::plane),
-                             wall_at({0., 2.}, -up, true, true, Type::plane)};
+  std::vector<Wall<2>> walls = {wall_at({0., 0.}, up, false, false, Type::plane),
+                                wall_at({0., 2.}, -up, true, true, Type::plane)};
   Dynamics model = dynamics(disk, friction);
   model.detect(walls);
   Books books(model);
@@ -126,7 +126,7 @@ void cell(const std::string &what, const double shear)
   Dynamics model = dynamics(disks, 0.5);
   const dealii::Tensor<1, 2> x({1., 0.}), y({0., 1.});
   const auto type = WallDescription<2>::Type::periodic;
-  std::vector<Wall> walls = {
+  std::vector<Wall<2>> walls = {
       wall_at({0., 0.}, y, false, false, type), wall_at({0., 20.4}, -y, true, true, type),
       wall_at({0., 0.}, x, false, false, type), wall_at({20.4, 0.}, -x, true, false, type)};
   model.detect(walls);

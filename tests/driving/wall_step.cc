@@ -21,10 +21,10 @@ int main()
       wall.drive = make_drive("velocity", "Walls/wall", {"Velocity=" + velocity});
       scene.walls.push_back(wall);
     }
-    const std::vector<Wall> walls = make_walls(scene);
+    const std::vector<Wall<2>> walls = make_walls(scene);
     const double dt = step_of_wall_way(walls, time, way, 1e-6, 1e6);
     double gone = 0.;
-    for (const Wall &wall : walls)
+    for (const Wall<2> &wall : walls)
       gone = std::max(gone, std::abs(demand_of(wall, time, dt).velocity) * dt);
     std::cout << what << ": step " << dt << " s, way " << gone << " m\n";
   };

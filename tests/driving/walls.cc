@@ -35,7 +35,7 @@ int main()
   scene.walls = {wall("bottom", {0, 0}, {0, 1}, rest), wall("top", {0, 1}, {0, -1}, pressed),
                  wall("left", {0, 0}, {1, 0}, make_drive("velocity", "Walls/left", {"Velocity=t"})),
                  wall("right", {3, 0}, {-1, 0}, rest)};
-  std::vector<Wall> walls = make_walls(scene);
+  std::vector<Wall<2>> walls = make_walls(scene);
   // v = t is linear: the middle of each step is exact.
   double time = 0.;
   for (const double dt : {0.1, 0.4, 0.5})
@@ -63,7 +63,7 @@ int main()
   disk.materials.push_back({"", "", 1. / M_PI});
   disk.bodies.emplace_back();
   disk.bodies[0].shape = std::make_shared<Disk2D>(dealii::Point<2>(), 1.);
-  Wall chosen = make_walls(disk)[1];
+  Wall<2> chosen = make_walls(disk)[1];
   put_pressure(chosen, 160., 1.);
   std::cout << "chosen mass " << chosen.free.across.mass << ", damping " << chosen.free.across.damping
             << ", expected 0.1 and 8\n";
@@ -72,7 +72,7 @@ int main()
 
   // A step that is refused is tried again from the same pressure: 0.4 of the way to what is asked.
   disk.walls[1].drive = make_drive("mean_pressure", "Walls/top", {"Mean pressure=50"});
-  Wall beside = make_walls(disk)[1];
+  Wall<2> beside = make_walls(disk)[1];
   for (const bool accepted : {false, false, true, true})
   {
     put_pressure(beside, demand_of(beside, 0., 1.).pressure, 1.);

@@ -41,11 +41,11 @@ struct CellMotion
 };
 
 /// The cell between the walls that are sides of one; it does not repeat when there are none.
-PeriodicCell<2> cell_of(const std::vector<Wall> &walls);
+PeriodicCell<2> cell_of(const std::vector<Wall<2>> &walls);
 
 /// Puts the forces through its sides on them. @param virial sum over contacts of the force on a body times
 /// the branch vector to its centre from that of its partner [N]
-void load_sides(std::vector<Wall> &walls, const PeriodicCell<2> &cell, const dealii::Tensor<2, 2> &virial);
+void load_sides(std::vector<Wall<2>> &walls, const PeriodicCell<2> &cell, const dealii::Tensor<2, 2> &virial);
 } // namespace softgrain
 
 #endif

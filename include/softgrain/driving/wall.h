@@ -19,30 +19,30 @@ class StateWriter;
 /**
  * @brief A wall on its way: where it is, how it moves and what it has felt; the same in every model.
  *
- * Forces are those of the bodies on the wall, impulses those of the wall on the bodies, per metre of
- * thickness.
+ * In the plane forces, impulses, masses and works are per metre of thickness.
  */
+template <int dim>
 struct Wall
 {
   static constexpr unsigned int no_body = static_cast<unsigned int>(-1);
 
-  WallDescription<2> description;
+  WallDescription<dim> description;
   unsigned int body = no_body; ///< slab of material points, if it is made of one
   double travel = 0;           ///< along the normal since the start [m]
   double speed = 0;            ///< along the normal; of a prescribed wall the mean over the last step [m/s]
   double slide_speed = 0;      ///< along the tangent; when prescribed the mean over the last step [m/s]
   double offset = 0;           ///< of the cell above, of a side of a cell that repeats [m]
-  FreeMotion free;             ///< of a wall that is free
+  FreeMotion free;             ///< of a wall that is free, in the plane
   DriveBegin driven_since;
-  WallBook book;
+  WallBook<dim> book;
 
   /// A point of its plane now [m].
-  dealii::Point<2> point() const { return description.point + travel * description.normal; }
+  dealii::Point<dim> point() const { return description.point + travel * description.normal; }
   /// Unit, into the domain.
-  const dealii::Tensor<1, 2> &normal() const { return description.normal; }
-  dealii::Tensor<1, 2> tangent() const { return wall_tangent(normal()); }
+  const dealii::Tensor<1, dim> &normal() const { return description.normal; }
+  dealii::Tensor<1, dim> tangent() const { return wall_tangent(normal()); }
   /// [m/s]
-  dealii::Tensor<1, 2> velocity() const
+  dealii::Tensor<1, dim> velocity() const
   {
     return slide_speed == 0. ? speed * description.normal
                              : speed * description.normal + slide_speed * tangent();
@@ -52,19 +52,26 @@ struct Wall
 };
 
 /// Whether a wall is a side of a cell that repeats.
-inline bool is_side_of_cell(const Wall &wall)
+template <int dim>
+bool is_side_of_cell(const Wall<dim> &wall)
 {
-  return wall.description.type == WallDescription<2>::Type::periodic;
+  return wall.description.type == WallDescription<dim>::Type::periodic;
 }
 
 /// Whether the velocity of a wall along its tangent follows from a shear stress.
-inline bool slides_freely(const Wall &wall)
+template <int dim>
+bool slides_freely(const Wall<dim> &wall)
 {
   return wall.description.drive->shears();
 }
 
 /// The part of the velocity of a wall that is given [m/s].
-dealii::Tensor<1, 2> prescribed_velocity_of(const Wall &wall);
+dealii::Tensor<1, 2> prescribed_velocity_of(const Wall<2> &wall);
+
+/// Gives a wall whose way is told the velocity that its drive asks for in a step of @p dt from @p time on
+/// [s].
+template <int dim>
+void plan(Wall<dim> &wall, double time, double dt);
 
 /**
  * @brief Puts the pressure that is asked for on a wall that is free, on a length of @p length.
@@ -75,31 +82,35 @@ dealii::Tensor<1, 2> prescribed_velocity_of(const Wall &wall);
  *
  * @param share_of_damping of the damping that is chosen for the wall, what it gets; one that is given stays
  */
-void put_pressure(Wall &wall, double asked, double length, double share_of_damping = 1.);
+void put_pressure(Wall<2> &wall, double asked, double length, double share_of_damping = 1.);
 
 /// Takes note that the step for which a wall was pressed was accepted.
-inline void accept_pressure(Wall &wall)
+inline void accept_pressure(Wall<2> &wall)
 {
   wall.free.pressure_before = wall.free.pressure;
 }
 
 /// Puts the stress along the tangent that is asked for on a wall that is free to slide.
-void put_shear(Wall &wall, double asked, double length);
+void put_shear(Wall<2> &wall, double asked, double length);
 
-/// Energy of the motion of a wall that has a mass [J/m].
-double kinetic_energy_of(const Wall &wall);
+/// Energy of the motion of a wall that has a mass [J/m; J].
+template <int dim>
+double kinetic_energy_of(const Wall<dim> &wall);
 
 /// What its drive asks of a wall in a step of @p dt from @p time on [s].
-WallDemand demand_of(const Wall &wall, double time, double dt, double stress_beside = 0.);
+template <int dim>
+WallDemand demand_of(const Wall<dim> &wall, double time, double dt, double stress_beside = 0.);
 
 /// Velocity along the tangent that its drive asks of a wall in a step of @p dt from @p time on [m/s].
-double demanded_slide(const Wall &wall, double time, double dt);
+template <int dim>
+double demanded_slide(const Wall<dim> &wall, double time, double dt);
 
 /// Stress along the tangent that its drive asks of a wall in a step of @p dt from @p time on [Pa].
-double demanded_shear(const Wall &wall, double time, double dt);
+double demanded_shear(const Wall<2> &wall, double time, double dt);
 
 /// What history, pictures and measures show of a wall.
-WallState<2> state_of(const Wall &wall);
+template <int dim>
+WallState<dim> state_of(const Wall<dim> &wall);
 
 /// A wall that is free, as one unknown of a step: a given impulse P along its normal makes its velocity at
 /// the end free_speed + P / mass.
@@ -111,19 +122,21 @@ struct FreeWallStep
 
 /// @param theta   weight of the velocity at the end in the motion over the step and in the damping
 /// @param impulse what is known of the impulses on the wall beside its load, along the normal [N s/m]
-FreeWallStep free_wall_step(const Wall &wall, double dt, double theta, double impulse = 0.);
+FreeWallStep free_wall_step(const Wall<2> &wall, double dt, double theta, double impulse = 0.);
 
 /// Step along the tangent of a wall that is free to slide.
-FreeWallStep free_slide_step(const Wall &wall, double dt, double theta, double impulse = 0.);
+FreeWallStep free_slide_step(const Wall<2> &wall, double dt, double theta, double impulse = 0.);
 
-/// The walls of a scene at the start. Those that are free have the mass that is given, or a tenth of that of
-/// all bodies.
-std::vector<Wall> make_walls(const Scene<2> &scene);
+/// The walls of a scene at the start. Those that are free have, in the plane, the mass that is given, or a
+/// tenth of that of all bodies.
+template <int dim>
+std::vector<Wall<dim>> make_walls(const Scene<dim> &scene);
 
 /// Drives walls from @p time on as @p drives say, one per wall; null: as before.
 /// @param inertia whether walls have kinetic energy: who holds a wall then gives it the energy of its motion,
 /// and takes it, which is work
-void take_drives(std::vector<Wall> &walls,
+template <int dim>
+void take_drives(std::vector<Wall<dim>> &walls,
                  const std::vector<std::shared_ptr<const WallDrive>> &drives,
                  double time,
                  bool inertia = true);
@@ -137,27 +150,40 @@ void check_free_walls(const Scene<2> &scene);
 void check_sliding_walls(const Scene<2> &scene);
 
 /// What the models report of all walls.
-std::vector<WallState<2>> states_of(const std::vector<Wall> &walls);
+template <int dim>
+std::vector<WallState<dim>> states_of(const std::vector<Wall<dim>> &walls);
 
 /// Length that a pressure on wall @p w acts on (2D): between the walls beside it, where they are now; 0
 /// without them [m].
-double pressed_length(const std::vector<Wall> &walls, std::size_t w);
+double pressed_length(const std::vector<Wall<2>> &walls, std::size_t w);
 
 /// Mean of the stresses on the walls at right angles to wall @p w, which they felt in the last step (2D),
 /// compression positive; 0 without them [Pa].
-double stress_beside(const std::vector<Wall> &walls, std::size_t w);
+double stress_beside(const std::vector<Wall<2>> &walls, std::size_t w);
 
 /// What the drive of the free wall @p w asks for [Pa].
 inline double
-asked_pressure(const std::vector<Wall> &walls, const std::size_t w, const double time, const double dt)
+asked_pressure(const std::vector<Wall<2>> &walls, const std::size_t w, const double time, const double dt)
 {
   return demand_of(walls[w], time, dt, stress_beside(walls, w)).pressure;
 }
 
+/// A list of the numbers that make the state of walls, the same number for each.
+template <int dim>
+std::vector<double> numbers_of(const std::vector<Wall<dim>> &walls);
+/// Takes such a list over.
+template <int dim>
+void take_numbers(const std::vector<double> &numbers, std::vector<Wall<dim>> &walls);
+/// How many numbers numbers_of() has for a wall.
+template <int dim>
+constexpr std::size_t n_wall_numbers = dim == 2 ? 10 : 9;
+
 /// Keeps walls under @p name in a checkpoint.
-void save_walls(StateWriter &out, const std::string &name, const std::vector<Wall> &walls);
+template <int dim>
+void save_walls(StateWriter &out, const std::string &name, const std::vector<Wall<dim>> &walls);
 /// @throw InputError when there were other walls
-void load_walls(const StateReader &in, const std::string &name, std::vector<Wall> &walls);
+template <int dim>
+void load_walls(const StateReader &in, const std::string &name, std::vector<Wall<dim>> &walls);
 } // namespace softgrain
 
 #endif

@@ -9,7 +9,7 @@
 namespace softgrain
 {
 /// Largest |force - load| over the load of the walls that are free to move; 0 without any.
-double unbalanced(const std::vector<Wall> &walls);
+double unbalanced(const std::vector<Wall<2>> &walls);
 } // namespace softgrain
 
 #endif

@@ -35,16 +35,18 @@ struct DriveBegin
 };
 
 /// What a wall has felt and given: forces are those of the bodies on the wall, impulses those of the wall on
-/// the bodies, per metre of thickness.
+/// the bodies, in the plane per metre of thickness.
+template <int dim>
 struct WallBook
 {
-  dealii::Tensor<1, 2> force;   ///< mean over the last step [N/m]
-  dealii::Tensor<1, 2> impulse; ///< given since the start [N s/m]
-  /// Done since the start by what drives it: a wall of prescribed velocity, or the load on a free one [J/m].
+  dealii::Tensor<1, dim> force;   ///< mean over the last step [N/m; N]
+  dealii::Tensor<1, dim> impulse; ///< given since the start; in space nobody asks [N s/m]
+  /// Done since the start by what drives it: a wall of prescribed velocity, or the load on a free one [J/m;
+  /// J].
   double work = 0;
 
   /// Takes down an impulse that the wall has given to the bodies in a step of @p dt [s].
-  void give(const dealii::Tensor<1, 2> &given, const double dt)
+  void give(const dealii::Tensor<1, dim> &given, const double dt)
   {
     force -= given / dt;
     impulse += given;

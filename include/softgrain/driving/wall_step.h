@@ -18,7 +18,7 @@ namespace softgrain
  * @return 0 if no such wall goes that far within @p longest
  */
 double
-step_of_wall_way(const std::vector<Wall> &walls, double time, double way, double shortest, double longest);
+step_of_wall_way(const std::vector<Wall<2>> &walls, double time, double way, double shortest, double longest);
 } // namespace softgrain
 
 #endif

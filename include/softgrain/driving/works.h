@@ -21,12 +21,12 @@ struct Workers
 
 /// All that was done on the bodies since the start: by walls, obstacles and what @p balance has [J/m].
 double external_work(const Balance &balance,
-                     const std::vector<Wall> &walls,
+                     const std::vector<Wall<2>> &walls,
                      const std::vector<Obstacle<2>> &obstacles);
 
 /// The terms of external_work() one by one, as columns of a history: "NAME_work_J_per_m" and the value.
 std::vector<std::pair<std::string, double>> columns_of_work(const Balance &balance,
-                                                            const std::vector<Wall> &walls,
+                                                            const std::vector<Wall<2>> &walls,
                                                             const std::vector<Obstacle<2>> &obstacles,
                                                             const Workers &workers);
 } // namespace softgrain

@@ -60,7 +60,7 @@ Energies MpmModel::energies() const
     for (const Body<2> &body : state.bodies)
       if (!body.driven)
         energies.kinetic += body.kinetic_energy();
-    for (const Wall &wall : state.walls)
+    for (const Wall<2> &wall : state.walls)
       energies.kinetic += kinetic_energy_of(wall);
   }
   energies.elastic = stored_energy(state, work.share);

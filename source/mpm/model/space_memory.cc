@@ -6,6 +6,8 @@
 #include <softgrain/mpm/model/space_points.h>
 #include <softgrain/mpm/stepping/keep_points.h>
 
+#include <array>
+
 namespace softgrain::mpm
 {
 namespace
@@ -13,8 +15,21 @@ namespace
 using Frame = ContactFrame<3>;
 
 constexpr unsigned int counts_of_frame = 5, numbers_of_frame = 15, numbers_of_place = 19,
-                       numbers_of_ray = 5 + 2 * numbers_of_place, numbers_of_wall = 9, counts_of_contact = 3,
-                       numbers_of_contact = 10;
+                       numbers_of_ray = 5 + 2 * numbers_of_place, numbers_of_wall = n_wall_numbers<3>,
+                       counts_of_contact = 3, numbers_of_contact = 10;
+
+/// The file has the numbers of a wall in an order of its own.
+using Places = std::array<unsigned int, numbers_of_wall>;
+constexpr Places places_of_numbers = {{0, 1, 2, 5, 6, 7, 8, 3, 4}}, ///< of what the file has, in numbers_of()
+    places_in_file = {{0, 1, 2, 7, 8, 3, 4, 5, 6}};                 ///< of what take_numbers() wants
+
+std::vector<double> reordered(const std::vector<double> &numbers, const Places &from)
+{
+  std::vector<double> to(numbers.size());
+  for (std::size_t n = 0; n < numbers.size(); ++n)
+    to[n] = numbers[n - n % numbers_of_wall + from[n % numbers_of_wall]];
+  return to;
+}
 
 template <class Tensor>
 void add(const Tensor &tensor, std::vector<double> &list)
@@ -237,13 +252,9 @@ void SpaceModel::save(StateWriter &out) const
             std::vector<double>{state.time, step_control.scale, last_dt, state.losses.regularisation,
                                 state.losses.released, state.dent_energy, state.losses.rubbed});
   out.write("space/steps", std::vector<std::uint64_t>{steps});
-  std::vector<double> walls;
-  for (const SpaceWall &wall : driven)
-    walls.insert(walls.end(), {wall.travel, wall.speed, wall.slide, wall.work, wall.force[0], wall.force[1],
-                               wall.force[2], wall.drive_begin, wall.travel_before});
   out.write("space/displacement", nodal(state, &Body<3>::displacement));
   out.write("space/held_back", state.held_back);
-  out.write("space/walls", walls);
+  out.write("space/walls", reordered(numbers_of(driven), places_of_numbers));
   save_obstacles(out, "space/obstacles", state.obstacles);
   save_frames(state.frames, out);
   save_contacts(state.contacts, out);
@@ -260,8 +271,9 @@ void SpaceModel::load(StateReader &in)
   std::size_t n_dofs = 0;
   for (const Body<3> &body : state.bodies)
     n_dofs += body.displacement.size();
-  const std::vector<double> nodes = in.read_doubles("space/displacement", n_dofs),
-                            walls = in.read_doubles("space/walls", numbers_of_wall * driven.size());
+  const std::vector<double> nodes = in.read_doubles("space/displacement", n_dofs);
+  take_numbers(reordered(in.read_doubles("space/walls", numbers_of_wall * driven.size()), places_in_file),
+               driven);
   state.held_back = in.read_doubles("space/held_back", ListSize::rows_of(1));
   if (!state.held_back.empty() && state.held_back.size() != state.bodies.size())
     in.refuse("space/held_back", "there is another number of bodies");
@@ -278,14 +290,7 @@ void SpaceModel::load(StateReader &in)
   steps = in.read_integers("space/steps", 1)[0];
   for (std::size_t w = 0; w < driven.size(); ++w)
   {
-    const double *const of_wall = &walls[numbers_of_wall * w];
-    driven[w].travel = of_wall[0];
-    driven[w].speed = of_wall[1];
-    driven[w].slide = of_wall[2];
-    driven[w].work = of_wall[3];
-    driven[w].force = state.wall_force[w] = dealii::Tensor<1, 3>({of_wall[4], of_wall[5], of_wall[6]});
-    driven[w].drive_begin = of_wall[7];
-    driven[w].travel_before = of_wall[8];
+    state.wall_force[w] = dealii::Tensor<1, 3>() - driven[w].book.force;
     state.loaded[w].way = driven[w].travel;
   }
   load_obstacles(in, "space/obstacles", state.time, state.obstacles);

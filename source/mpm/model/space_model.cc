@@ -77,10 +77,10 @@ void check_thickness(const ObstacleDescription<3> &obstacle, const double cell_s
 }
 
 /// In a step of @p dt from @p time on, along the normal or the tangent [m/s].
-double fastest_of(SpaceWall wall, const double time, const double dt)
+double fastest_of(Wall<3> wall, const double time, const double dt)
 {
-  wall.plan(time, dt);
-  return std::max(std::abs(wall.speed), std::abs(wall.slide));
+  plan(wall, time, dt);
+  return std::max(std::abs(wall.speed), std::abs(wall.slide_speed));
 }
 } // namespace
 
@@ -176,7 +176,7 @@ double SpaceModel::wanted_step() const
   const double told = settings.step.wanted(longest);
   double by_walls = longest;
   if (settings.wall_way > 0.)
-    for (const SpaceWall &wall : driven)
+    for (const Wall<3> &wall : driven)
     {
       // A formula may start at rest: its mean over a step that is not too long counts.
       const double dt = std::min(told, at_rest() ? 1e3 * settings.cell_size : cfl_step()),
@@ -297,7 +297,7 @@ void SpaceModel::settle(StepReport &report)
   if (outcome.held_steps > 0)
     state.losses.released += before - not_booked();
   for (std::size_t w = 0; w < driven.size(); ++w)
-    driven[w].force = state.wall_force[w];
+    driven[w].book.force = dealii::Tensor<1, 3>() - state.wall_force[w];
   report.n_contacts = state.contacts.size();
 }
 } // namespace softgrain::mpm

@@ -13,10 +13,7 @@ namespace softgrain::mpm
 {
 std::vector<WallState<3>> SpaceModel::walls() const
 {
-  std::vector<WallState<3>> states;
-  for (const SpaceWall &wall : driven)
-    states.push_back(wall.state());
-  return states;
+  return states_of(driven);
 }
 
 Energies SpaceModel::energies() const
@@ -32,8 +29,8 @@ Energies SpaceModel::energies() const
   energies.dissipated = state.losses.regularisation + state.losses.released + state.losses.rubbed +
                         state.motion.scheme_damping + state.motion.contact_loss + state.laws.loss;
   energies.external_work = state.load_work.sum() + state.laws.supply;
-  for (const SpaceWall &wall : driven)
-    energies.external_work += wall.work;
+  for (const Wall<3> &wall : driven)
+    energies.external_work += wall.book.work;
   for (const Obstacle<3> &obstacle : state.obstacles)
     energies.external_work += obstacle.work;
   return energies;
@@ -121,8 +118,8 @@ SizeReport SpaceModel::size_report() const
 std::vector<std::pair<std::string, double>> SpaceModel::works() const
 {
   std::vector<std::pair<std::string, double>> columns;
-  for (const SpaceWall &wall : driven)
-    columns.emplace_back(wall.description.name + "_work_J", wall.work);
+  for (const Wall<3> &wall : driven)
+    columns.emplace_back(wall.description.name + "_work_J", wall.book.work);
   for (const Obstacle<3> &obstacle : state.obstacles)
     columns.emplace_back(obstacle.description.name + "_work_J", obstacle.work);
   for (const std::string &load : loads.names())
@@ -136,9 +133,9 @@ std::vector<std::pair<std::string, double>> SpaceModel::works() const
 std::vector<std::pair<std::string, double>> SpaceModel::extra_history() const
 {
   std::vector<std::pair<std::string, double>> columns;
-  for (const SpaceWall &wall : driven)
+  for (const Wall<3> &wall : driven)
     if (wall.description.drive->slides())
-      columns.emplace_back(wall.description.name + "_tangential_force_N", wall.state().tangential_force);
+      columns.emplace_back(wall.description.name + "_tangential_force_N", state_of(wall).tangential_force);
   if (std::any_of(state.bodies.begin(), state.bodies.end(),
                   [](const Body<3> &body) { return body.law->limits_step(); }))
     columns.emplace_back("law_cuts", state.law_cuts);

@@ -11,31 +11,30 @@ namespace softgrain::mpm
 namespace
 {
 /// Mean over a step from @p time on; of a wall under a load where it began.
-WallMotion<3> motion_of(SpaceWall wall, const double time, const double dt)
+WallMotion<3> motion_of(Wall<3> wall, const double time, const double dt)
 {
-  if (!wall.description.drive->prescribed())
+  if (!wall.prescribed())
     return {wall.description.point, wall.normal(), 0.};
   if (dt == 0.)
     return {wall.point(), wall.normal(), 0.};
-  wall.plan(time, dt);
+  plan(wall, time, dt);
   WallMotion<3> motion{wall.point(), wall.normal(), wall.speed};
-  motion.slide = wall.slide;
+  motion.slide = wall.slide_speed;
   return motion;
 }
 
 /// The pressure on a wall under a load at the end of a step [Pa].
-std::optional<double> pressure_on(const SpaceWall &wall, const double time, const double dt)
+std::optional<double> pressure_on(const Wall<3> &wall, const double time, const double dt)
 {
-  const WallDrive &drive = *wall.description.drive;
-  if (drive.prescribed())
+  if (wall.prescribed())
     return std::nullopt;
-  return drive.demand({time + dt - wall.drive_begin, 0., wall.travel - wall.travel_before}).pressure;
+  return demand_of(wall, time + dt, 0.).pressure;
 }
 } // namespace
 
 void SpaceModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
 {
-  softgrain::take_drives(driven, drives, state.time);
+  softgrain::take_drives(driven, drives, state.time, false);
   for (std::size_t w = 0; w < driven.size(); ++w)
     if (drives[w])
       state.loaded[w].way = driven[w].travel;
@@ -52,7 +51,7 @@ double SpaceModel::fastest_obstacle(const double dt) const
 SpaceMotion SpaceModel::motion(const double dt) const
 {
   SpaceMotion motion;
-  for (const SpaceWall &wall : driven)
+  for (const Wall<3> &wall : driven)
   {
     motion.walls.push_back(motion_of(wall, state.time, dt));
     motion.pressure.push_back(pressure_on(wall, state.time, dt));
@@ -67,29 +66,30 @@ void SpaceModel::book_wall(const std::size_t w,
                            const double dt,
                            std::vector<DrivenWork> &works)
 {
-  SpaceWall &wall = driven[w];
+  Wall<3> &wall = driven[w];
   const WallMotion<3> &moves = motion.walls[w];
-  const dealii::Tensor<1, 3> before = at_rest() ? wall.force : state.wall_force[w];
+  const dealii::Tensor<1, 3> before =
+      at_rest() ? dealii::Tensor<1, 3>() - wall.book.force : state.wall_force[w];
   const bool loaded = motion.pressure[w].has_value();
   wall.speed = loaded ? (state.loaded[w].way - wall.travel) / dt : moves.velocity;
-  wall.slide = moves.slide;
+  wall.slide_speed = moves.slide;
   const dealii::Tensor<1, 3> way = dt * wall.velocity();
   if (!loaded)
   {
     wall.travel += dt * wall.speed;
-    wall.work += 0.5 * (before + state.wall_force[w]) * way;
+    wall.book.work += 0.5 * (before + state.wall_force[w]) * way;
   }
-  works.push_back({&wall.work, 0.5 * std::abs((state.wall_force[w] - before) * way)});
-  wall.force = state.wall_force[w];
+  works.push_back({&wall.book.work, 0.5 * std::abs((state.wall_force[w] - before) * way)});
+  wall.book.force = dealii::Tensor<1, 3>() - state.wall_force[w];
 }
 
 void SpaceModel::follow_loads()
 {
   for (std::size_t w = 0; w < driven.size(); ++w)
-    if (!driven[w].description.drive->prescribed())
+    if (!driven[w].prescribed())
     {
       driven[w].travel = state.loaded[w].way;
-      driven[w].work += state.loaded[w].work;
+      driven[w].book.work += state.loaded[w].work;
       state.loaded[w].work = 0.;
     }
 }

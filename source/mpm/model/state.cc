@@ -21,7 +21,7 @@ void State::order_points()
 
 bool State::repeats() const
 {
-  return std::any_of(walls.begin(), walls.end(), [](const Wall &wall) { return is_side_of_cell(wall); });
+  return std::any_of(walls.begin(), walls.end(), [](const Wall<2> &wall) { return is_side_of_cell(wall); });
 }
 
 std::optional<CellMotion> State::cell_motion(const std::vector<WallMotion<2>> &motion) const

@@ -72,9 +72,9 @@ void parse_time_parameters(dealii::ParameterHandler &prm, Settings &settings)
   choose_steps(settings);
 }
 
-bool all_are_told(const std::vector<Wall> &walls)
+bool all_are_told(const std::vector<Wall<2>> &walls)
 {
   return std::all_of(walls.begin(), walls.end(),
-                     [](const Wall &wall) { return wall.prescribed() && !slides_freely(wall); });
+                     [](const Wall<2> &wall) { return wall.prescribed() && !slides_freely(wall); });
 }
 } // namespace softgrain::mpm

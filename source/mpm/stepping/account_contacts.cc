@@ -29,9 +29,9 @@ public:
 private:
   void book_row(const ContactWork &contact, unsigned int row, unsigned int component);
   void book_partner(const ContactRow<2> &row, const Vector &direction, double impulse, double acting);
-  void give(Wall &wall, const Vector &given);
+  void give(Wall<2> &wall, const Vector &given);
   /// The part of the velocity of a wall with which it does work, not its load [m/s].
-  Vector working_velocity(const Wall &wall) const
+  Vector working_velocity(const Wall<2> &wall) const
   {
     return step.balanced ? wall.velocity() : prescribed_velocity_of(wall);
   }
@@ -64,7 +64,7 @@ ContactAccounts::ContactAccounts(State &state, const Workspace &work, const Foun
   }
 }
 
-void ContactAccounts::give(Wall &wall, const Vector &given)
+void ContactAccounts::give(Wall<2> &wall, const Vector &given)
 {
   wall.book.give(given, dt);
   state.balance.momentum.of_walls += given;
@@ -129,14 +129,14 @@ void ContactAccounts::load_sides_of_cell()
   if (!cell)
     return;
   load_sides(state.walls, cell->cell, virial);
-  for (Wall &wall : state.walls)
+  for (Wall<2> &wall : state.walls)
     if (is_side_of_cell(wall))
       wall.book.work -= dt * (wall.book.force * working_velocity(wall));
 }
 
 void ContactAccounts::book_wall(const unsigned int w, std::vector<DrivenWork> &driven)
 {
-  Wall &wall = state.walls[w];
+  Wall<2> &wall = state.walls[w];
   double change = 0.5 * dt * wall.speed * (wall.book.force - force_before[w]) * wall.description.normal;
   if (wall.slide_speed != 0.)
     change += 0.5 * dt * wall.slide_speed * (wall.book.force - force_before[w]) * wall.tangent();

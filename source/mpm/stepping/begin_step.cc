@@ -16,16 +16,16 @@ begin_step(const Problem &problem, State &state, Workspace &work, const StepPlan
 
 std::vector<WallMotion<2>> wall_motion(State &state, Workspace &work, const StepPlan &plan)
 {
-  const std::vector<Wall> &walls = state.walls;
+  const std::vector<Wall<2>> &walls = state.walls;
   for (Obstacle<2> &obstacle : state.obstacles)
     obstacle.plan(state.time, plan.held ? 0. : plan.dt);
   std::vector<WallMotion<2>> motion;
-  for (const Wall &wall : walls)
+  for (const Wall<2> &wall : walls)
   {
     const double velocity =
         plan.held || !wall.prescribed() ? 0. : demand_of(wall, state.time, plan.dt).velocity;
     motion.push_back({wall.point(), wall.normal(), velocity,
-                      wall.body == Wall::no_body && !is_side_of_cell(wall), velocity, std::abs(velocity),
+                      wall.body == Wall<2>::no_body && !is_side_of_cell(wall), velocity, std::abs(velocity),
                       plan.held || slides_freely(wall) ? 0. : demanded_slide(wall, state.time, plan.dt)});
   }
   for (const FreeWall<2> &free : work.contact.free_walls.list)
@@ -34,7 +34,7 @@ std::vector<WallMotion<2>> wall_motion(State &state, Workspace &work, const Step
           motion[free.wall].fastest,
           free.stop > 0. ? free.stop : std::max(std::abs(free.start_speed), std::abs(free.free_speed)));
   for (unsigned int w = 0; w < walls.size(); ++w)
-    if (walls[w].body != Wall::no_body)
+    if (walls[w].body != Wall<2>::no_body)
       work.drive[walls[w].body] = motion[w].mean_velocity();
   return motion;
 }

@@ -55,7 +55,7 @@ void add_free_wall(const Problem &problem,
                    const StepPlan &plan,
                    const double load,
                    const double speed,
-                   FreeWallStep (*const own)(const Wall &, double, double, double),
+                   FreeWallStep (*const own)(const Wall<2> &, double, double, double),
                    FreeWall<2> free)
 {
   const TimeScheme &scheme = problem.settings.scheme;
@@ -82,7 +82,7 @@ void press_walls(const Problem &problem, State &state, Workspace &work, const St
   work.contact.free_walls.list.clear();
   for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
-    Wall &wall = state.walls[w];
+    Wall<2> &wall = state.walls[w];
     const double length = pressed_length(state.walls, w);
     if (slides_freely(wall))
     {
@@ -121,14 +121,14 @@ void settle_free_walls(const Problem &problem,
 {
   follow_free_walls(problem, work, motion);
   for (const FreeWall<2> &free : work.contact.free_walls.list)
-    if (state.walls[free.wall].body != Wall::no_body)
+    if (state.walls[free.wall].body != Wall<2>::no_body)
       work.drive[state.walls[free.wall].body] = motion[free.wall].mean_velocity();
 }
 
 void account_free_wall(
     const Problem &problem, State &state, const FreeWall<2> &free, const double rate, const double dt)
 {
-  Wall &wall = state.walls[free.wall];
+  Wall<2> &wall = state.walls[free.wall];
   const bool slides = free.slides();
   const TimeScheme &scheme = problem.settings.scheme;
   (slides ? wall.slide_speed : wall.speed) = scheme.ends_in_balance() ? rate : free.speed;
@@ -149,7 +149,7 @@ WallImbalance worst_wall(const Problem &problem, const State &state)
   const double floor = 1e-6 * softest(state.bodies) * problem.lattice->cell_size();
   for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
-    const Wall &wall = state.walls[w];
+    const Wall<2> &wall = state.walls[w];
     if (slides_freely(wall))
       worst.compare(w, true, -1. * (wall.book.force * wall.tangent()),
                     demanded_shear(wall, state.time, 0.) * pressed_length(state.walls, w), floor);
@@ -193,7 +193,7 @@ double slid_on_their_way(const Workspace &work, const double dt)
 void check_room_of_walls(const Problem &problem, const State &state, const double slid)
 {
   const double room = problem.settings.mesh_lower.distance(problem.settings.mesh_upper);
-  for (const Wall &wall : state.walls)
+  for (const Wall<2> &wall : state.walls)
     if (slides_freely(wall) && slid > room)
     {
       std::ostringstream message;

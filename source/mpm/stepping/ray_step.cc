@@ -97,8 +97,8 @@ void RayStep::find_free_walls()
   const PeriodicCell<2> *repeats = scene.cell != nullptr ? &scene.cell->cell : nullptr;
   for (const FreeWall<2> &free : work.contact.free_walls.list)
   {
-    const Wall &wall = state.walls[free.wall];
-    const unsigned int slab = wall.body == Wall::no_body ? FrameState<2>::none : wall.body;
+    const Wall<2> &wall = state.walls[free.wall];
+    const unsigned int slab = wall.body == Wall<2>::no_body ? FrameState<2>::none : wall.body;
     const PeriodicCell<2> *const side = is_side_of_cell(wall) ? repeats : nullptr;
     if (inertia)
     {

@@ -68,7 +68,7 @@ protected:
   bool walls_yield() const override
   {
     return std::any_of(state.walls.begin(), state.walls.end(),
-                       [](const Wall &wall) { return slides_freely(wall) || !wall.prescribed(); });
+                       [](const Wall<2> &wall) { return slides_freely(wall) || !wall.prescribed(); });
   }
 
   bool remembers() const override { return state.adhesion.remembers() || any_history(state.bodies); }

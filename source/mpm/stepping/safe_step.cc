@@ -111,7 +111,7 @@ double safe_from_walls(
     const Problem &problem, const State &state, const Flight<2> &flight, const double reach, const double dt)
 {
   double step = dt;
-  for (const Wall &wall : state.walls)
+  for (const Wall<2> &wall : state.walls)
   {
     if (wall.description.type != WallDescription<2>::Type::plane)
       continue;
@@ -212,7 +212,7 @@ double safe_in_cell(const Problem &problem,
   }
   CellMotion cell;
   cell.cell = cell_of(state.walls);
-  for (const Wall &wall : state.walls)
+  for (const Wall<2> &wall : state.walls)
     if (is_side_of_cell(wall))
       cell.add_side(wall.normal(),
                     (wall.prescribed() ? demand_of(wall, state.time, dt).velocity : wall.speed) *

@@ -9,7 +9,7 @@
 #include <softgrain/bpm/primaries.h>
 #include <softgrain/contact/ball_list.h>
 #include <softgrain/contact/disk_system.h>
-#include <softgrain/driving/space_wall.h>
+#include <softgrain/driving/wall.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -56,7 +56,7 @@ class BallDynamics
 {
 public:
   using Vector = std::array<double, 3>;
-  using Walls = std::vector<SpaceWall>;
+  using Walls = std::vector<Wall<3>>;
 
   /**
    * @param balls those of a body follow each other; without angular velocities unless needed

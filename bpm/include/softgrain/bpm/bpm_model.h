@@ -150,7 +150,7 @@ private:
   Exchange exchange;
   std::unique_ptr<dealii::TimerOutput> timer;
   std::unique_ptr<Dynamics> dynamics;
-  std::vector<Wall> moving_walls;
+  std::vector<Wall<2>> moving_walls;
   std::vector<Obstacle<2>> moving_obstacles;
   std::vector<std::uint32_t> first_of_body;
   std::vector<bool> fixed;

@@ -62,7 +62,7 @@ public:
 
   /// Forces and contacts of the present places; called once before the first step and after a change of
   /// state.
-  void detect(const std::vector<Wall> &walls);
+  void detect(const std::vector<Wall<2>> &walls);
 
   /**
    * @brief One step of @p dt [s].
@@ -74,7 +74,7 @@ public:
    * @throw ComputationError when something is not finite.
    */
   DynamicsReport step(double dt,
-                      std::vector<Wall> &walls,
+                      std::vector<Wall<2>> &walls,
                       const std::vector<std::array<double, 2>> &acceleration,
                       const std::vector<std::vector<std::array<double, 2>>> &of_loads = {});
 
@@ -88,13 +88,13 @@ public:
    * Each gets a part of the primaries if it can be done: not in a cell that repeats, with adhesion or
    * obstacles. Else they share the contact solve.
    */
-  void share_by(const Exchange &everyone, const std::vector<Wall> &walls);
+  void share_by(const Exchange &everyone, const std::vector<Wall<2>> &walls);
   /// Who has which primaries; null: all are here.
   const StripShare *strips() const { return share.get(); }
   /// Notes places and velocities, or forgets what was noted.
   void keep_motion(bool keeps);
   /// Goes back to what was noted.
-  void take_back_motion(const std::vector<Wall> &walls);
+  void take_back_motion(const std::vector<Wall<2>> &walls);
 
   /// Makes the list of neighbours for the places that primaries have now, with what its pairs remember in a
   /// state; for restarts. Other places and velocities come afterwards.
@@ -149,9 +149,10 @@ private:
     return primaries.strength.empty() ? 1. : 0.5 * (primaries.strength[a] + primaries.strength[b]);
   }
   void sum_up();
-  std::vector<AtWall> find_at_walls(const std::vector<Wall> &walls, std::size_t begin, std::size_t end) const;
-  void add_wall_rows(const std::vector<Wall> &walls, const std::vector<AtWall> &found);
-  void bring_wall_rows(const std::vector<Wall> &walls);
+  std::vector<AtWall>
+  find_at_walls(const std::vector<Wall<2>> &walls, std::size_t begin, std::size_t end) const;
+  void add_wall_rows(const std::vector<Wall<2>> &walls, const std::vector<AtWall> &found);
+  void bring_wall_rows(const std::vector<Wall<2>> &walls);
   std::vector<double> wall_list(const std::vector<AtWall> &at_walls,
                                 const std::vector<std::uint32_t> &of_them) const;
   /// What the first owner gathers of primaries at walls.
@@ -172,7 +173,7 @@ private:
   /// Gap up to which a pair is looked at [mean diameters].
   double contact_reach() const;
   void attract_and_find(std::size_t tile, AttractionBatch<2> &batch);
-  void collect(const std::vector<Wall> &walls);
+  void collect(const std::vector<Wall<2>> &walls);
   void collect_obstacles(std::size_t n_walls);
   /// Impulses of the last step of a primary at piece @p surface of the line with pieces from @p first to
   /// @p end.
@@ -183,14 +184,14 @@ private:
   dealii::Tensor<1, 2> obstacle_velocity(std::size_t row) const;
   void move_obstacles(double dt, DynamicsReport &report);
   bool closes(const std::array<double, 2> &relative, const std::array<double, 2> &normal, double gap) const;
-  void see_cell(const std::vector<Wall> &walls);
+  void see_cell(const std::vector<Wall<2>> &walls);
   contact::ImageLattice lattice() const;
   void find_centers();
   /// Branch in a cell: from the centre of the body of @p b, or its image, to that of @p a; 0 in a body [m].
   dealii::Tensor<1, 2> branch(std::uint32_t a, std::uint32_t b, const PeriodicCell<2>::Image &image) const;
-  void prepare_cell(double dt, const std::vector<Wall> &walls);
-  void load_cell(double dt, std::vector<Wall> &walls) const;
-  void take_along(double dt, std::vector<Wall> &walls, DynamicsReport &report);
+  void prepare_cell(double dt, const std::vector<Wall<2>> &walls);
+  void load_cell(double dt, std::vector<Wall<2>> &walls) const;
+  void take_along(double dt, std::vector<Wall<2>> &walls, DynamicsReport &report);
   void resize_rows(std::size_t n);
   void set_row(std::size_t row,
                std::uint32_t a,
@@ -201,19 +202,19 @@ private:
                double rolling,
                const contact::PairMemory::Impulses &memory);
   void prepare_bodies(double dt,
-                      const std::vector<Wall> &walls,
+                      const std::vector<Wall<2>> &walls,
                       const std::vector<std::array<double, 2>> &acceleration);
-  void prepare_gap_velocities(double dt, const std::vector<Wall> &walls);
+  void prepare_gap_velocities(double dt, const std::vector<Wall<2>> &walls);
   void find_pulls();
   void shift_cones(double dt, bool back);
-  double adhesion_work(double dt, const std::vector<Wall> &walls) const;
+  double adhesion_work(double dt, const std::vector<Wall<2>> &walls) const;
   void note_contacts(double dt);
   std::uint64_t key_of(const std::size_t row) const
   {
     return (static_cast<std::uint64_t>(rows.a[row]) << 32) | rows.b[row];
   }
   void remember();
-  void move_walls(double dt, std::vector<Wall> &walls, DynamicsReport &report);
+  void move_walls(double dt, std::vector<Wall<2>> &walls, DynamicsReport &report);
   void move_primaries(double dt);
   /// Deepest overlap, of primaries with each other and with obstacles, between the ends of the step that they
   /// have just made; found from their ways alone, not from rows.
@@ -222,7 +223,7 @@ private:
   Overlap deepest_of_ranks(double dt, double limit) const;
   Overlap deepest_in_obstacles(double dt) const;
   Overlap deepest_of_all_ranks(const Overlap &here) const;
-  void let_slide(double dt, std::size_t w, Wall &wall, DynamicsReport &report) const;
+  void let_slide(double dt, std::size_t w, Wall<2> &wall, DynamicsReport &report) const;
   /// Sums of what primaries do in a step.
   struct Work;
   /// Adds what a primary that is free to move does.

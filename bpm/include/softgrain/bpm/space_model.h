@@ -5,8 +5,8 @@
 #include <softgrain/bpm/ball_dynamics.h>
 #include <softgrain/bpm/settings.h>
 #include <softgrain/driving/named_sums.h>
-#include <softgrain/driving/space_wall.h>
 #include <softgrain/driving/step_control.h>
+#include <softgrain/driving/wall.h>
 #include <softgrain/geometry/solid.h>
 #include <softgrain/model/model.h>
 #include <softgrain/scene/scene.h>
@@ -93,7 +93,7 @@ private:
   Settings settings;
   std::unique_ptr<dealii::TimerOutput> timer;
   std::unique_ptr<BallDynamics> dynamics;
-  std::vector<SpaceWall> moving_walls;
+  std::vector<Wall<3>> moving_walls;
   std::vector<std::uint32_t> first_of_body;
   std::vector<double> density; ///< of every body [kg/m^3]
   double natural_time = 0;     ///< attraction_time() of the mean primary of the strongest law, 0 without one

@@ -2,8 +2,8 @@
 #ifndef softgrain_mpm_model_space_model_h
 #define softgrain_mpm_model_space_model_h
 
-#include <softgrain/driving/space_wall.h>
 #include <softgrain/driving/step_control.h>
+#include <softgrain/driving/wall.h>
 #include <softgrain/model/model.h>
 #include <softgrain/mpm/body/point_store.h>
 #include <softgrain/mpm/field/lattice.h>
@@ -112,7 +112,7 @@ private:
     std::vector<Eigen::VectorXd> displacement;
     SpaceProgress progress;
     double last_dt;
-    std::vector<SpaceWall> driven;
+    std::vector<Wall<3>> driven;
     std::size_t steps;
     std::vector<double> points; ///< see remembered_by_points()
   };
@@ -130,7 +130,7 @@ private:
   std::vector<std::unique_ptr<Ground>> grounds;
   SpaceState state;
   SpaceWorkspace work;
-  std::vector<SpaceWall> driven;
+  std::vector<Wall<3>> driven;
   std::vector<std::string> wall_names;
   StepControl step_control{1.5};
   double last_dt = 0.; ///< [s]

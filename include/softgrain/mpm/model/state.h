@@ -53,7 +53,7 @@ struct State
 
   std::unique_ptr<PointStore<2>> points; ///< of all bodies
   std::vector<Body<2>> bodies;
-  std::vector<Wall> walls;
+  std::vector<Wall<2>> walls;
   std::vector<Obstacle<2>> obstacles;
   ContactMemory<2> memory;             ///< impulses of the last step
   std::vector<ContactFrame<2>> frames; ///< of the last step, where contact is found by rays

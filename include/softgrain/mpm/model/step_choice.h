@@ -23,7 +23,7 @@ void declare_time_parameters(dealii::ParameterHandler &prm);
 void parse_time_parameters(dealii::ParameterHandler &prm, Settings &settings);
 
 /// Whether all of @p walls are told how to move, so that none swings under a pressure or a shear stress.
-bool all_are_told(const std::vector<Wall> &walls);
+bool all_are_told(const std::vector<Wall<2>> &walls);
 } // namespace softgrain::mpm
 
 #endif
