@@ -3,6 +3,7 @@
 #include <softgrain/base/interruption.h>
 #include <softgrain/bpm/aggregate.h>
 #include <softgrain/bpm/bpm_model.h>
+#include <softgrain/driving/wall_freedom.h>
 #include <softgrain/scene/loads_over_step.h>
 
 #include <deal.II/base/timer.h>
@@ -68,16 +69,12 @@ void BpmModel::drive_walls(const double dt)
   for (std::size_t w = 0; w < moving_walls.size(); ++w)
   {
     Wall<2> &wall = moving_walls[w];
-    if (slides_freely(wall))
-      put_shear(wall, demanded_shear(wall, now, dt), pressed_length(moving_walls, w));
-    else
+    if (!is_free(wall, Freedom::along))
       wall.slide_speed = demanded_slide(wall, now, dt);
     // A place that is asked for has a mean velocity in a step, none in a moment: that of the first step.
-    if (wall.prescribed())
-      wall.speed = demand_of(wall, now, dt > 0. ? dt : wanted_step()).velocity;
-    else
-      put_pressure(wall, asked_pressure(moving_walls, w, now, dt), pressed_length(moving_walls, w),
-                   share_of_damping);
+    wall.speed = expected_rates(wall, now, dt > 0. ? dt : wanted_step()).speed;
+    for (const Freedom direction : freedoms_of(wall))
+      put_stress(moving_walls, w, direction, now, dt, share_of_damping);
   }
 }
 
@@ -154,7 +151,8 @@ std::string BpmModel::cause_of_no_solution() const
           << "': sweeps find no forces where such a difference rests on light bodies, bring 'Density' and "
              "sizes nearer to each other";
   else if (std::any_of(moving_walls.begin(), moving_walls.end(),
-                       [](const Wall<2> &wall) { return wall.speed != 0. || !wall.prescribed(); }))
+                       [](const Wall<2> &wall)
+                       { return wall.speed != 0. || is_free(wall, Freedom::across); }))
     cause << "walls that close on a full box leave no room";
   else
     cause << "a smaller 'Time/Time step' or more sweeps may help";
@@ -349,8 +347,7 @@ std::vector<std::pair<std::string, double>> BpmModel::works() const
 {
   Workers workers;
   workers.loads = load_names;
-  workers.cell = std::any_of(moving_walls.begin(), moving_walls.end(),
-                             [](const Wall<2> &wall) { return is_side_of_cell(wall); });
+  workers.cell = any_sides(moving_walls);
   workers.driven_bodies = std::any_of(fixed.begin(), fixed.end(), [](const bool one) { return one; });
   workers.adhesion = settings.dynamics.pairs.adhere();
   return columns_of_work(balance, moving_walls, moving_obstacles, workers);

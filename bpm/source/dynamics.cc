@@ -38,6 +38,13 @@ void book(const double work, Wall<2> &wall, DynamicsReport &report)
   wall.book.work += work;
   report.wall_work += work;
 }
+
+/// The same of a wall that is told how to move.
+void book_told(const double work, Wall<2> &wall, DynamicsReport &report)
+{
+  book(work, wall, report);
+  report.contact_loss += work;
+}
 } // namespace
 
 bool DynamicsSettings::rotations() const
@@ -122,16 +129,11 @@ void Dynamics::prepare_bodies(const double dt,
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
     const Wall<2> &wall = walls[w];
-    FreeWallStep step{0., wall.speed};
-    if (!wall.prescribed())
-      step = free_wall_step(wall, dt, 1.);
-    bodies.inverse_mass[n + w] = wall.prescribed() ? 0. : 1. / step.mass;
+    const WallAhead ahead = ahead_of(wall, dt, 1.);
+    bodies.inverse_mass[n + w] = 1. / ahead.across.mass;
+    const dealii::Tensor<1, 2> velocity = ahead.velocity(wall);
     for (unsigned int d = 0; d < 2; ++d)
-      bodies.velocity[n + w][d] = step.free_speed * wall.normal()[d];
-    const double slide = slides_freely(wall) ? free_slide_step(wall, dt, 1.).free_speed : wall.slide_speed;
-    if (slide != 0.)
-      for (unsigned int d = 0; d < 2; ++d)
-        bodies.velocity[n + w][d] += slide * wall.tangent()[d];
+      bodies.velocity[n + w][d] = velocity[d];
   }
   if (cell)
     prepare_cell(dt, walls);
@@ -143,8 +145,7 @@ void Dynamics::prepare_bodies(const double dt,
     for (std::size_t i = 0; i < n; ++i)
       bodies.inverse_inertia[i] = 2. * inverse_mass[i] / (primaries.radius[i] * primaries.radius[i]);
     for (std::size_t w = 0; w < walls.size(); ++w)
-      if (slides_freely(walls[w]))
-        bodies.inverse_inertia[n + w] = 1. / free_slide_step(walls[w], dt, 1.).mass;
+      bodies.inverse_inertia[n + w] = 1. / ahead_of(walls[w], dt, 1.).along.mass;
   }
 }
 
@@ -181,20 +182,25 @@ void Dynamics::prepare_gap_velocities(const double dt, const std::vector<Wall<2>
   }
 }
 
-void Dynamics::let_slide(const double dt, const std::size_t w, Wall<2> &wall, DynamicsReport &report) const
+void Dynamics::let_go(const double dt,
+                      const std::size_t w,
+                      const Freedom direction,
+                      const double push,
+                      Wall<2> &wall,
+                      DynamicsReport &report) const
 {
   const std::array<double, 2> &v = bodies.velocity[primaries.size() + w];
-  const double push = dt * (wall.book.force * wall.tangent());
-  const double before = wall.slide_speed, mass = wall.free.along.mass;
-  const double after = is_side_of_cell(wall) ? free_slide_step(wall, dt, 1., push).free_speed
-                                             : v[0] * wall.tangent()[0] + v[1] * wall.tangent()[1];
+  const dealii::Tensor<1, 2> way = way_of(wall, direction);
+  const double before = speed_of(wall, direction), mass = load_on(wall, direction).mass;
+  const double after = is_side_of_cell(wall) ? free_step(wall, direction, dt, 1., push).free_speed
+                                             : v[0] * way[0] + v[1] * way[1];
   // The damping took what neither the load nor the primaries gave.
-  const double load = dt * wall.free.along.force, damping = mass * (before - after) + load + push;
+  const double load = dt * load_on(wall, direction).force, damping = mass * (before - after) + load + push;
   book(load * 0.5 * (before + after), wall, report);
   report.damping_loss += damping * 0.5 * (before + after);
   report.contact_loss +=
       0.5 * mass * (before * before - after * after) + (load - damping) * 0.5 * (before + after);
-  wall.slide_speed = after;
+  speed_of(wall, direction) = after;
 }
 
 void Dynamics::move_walls(const double dt, std::vector<Wall<2>> &walls, DynamicsReport &report)
@@ -224,33 +230,15 @@ void Dynamics::move_walls(const double dt, std::vector<Wall<2>> &walls, Dynamics
       wall.book.give(given, dt);
       report.wall_impulse += given;
     }
-    if (slides_freely(wall))
-      let_slide(dt, w, wall, report);
+    const double along = wall.book.force * wall.tangent();
+    if (is_free(wall, Freedom::along))
+      let_go(dt, w, Freedom::along, dt * along, wall, report);
     else if (wall.slide_speed != 0.)
-    {
-      const double work = -dt * wall.slide_speed * (wall.book.force * wall.tangent());
-      book(work, wall, report);
-      report.contact_loss += work;
-    }
-    if (wall.prescribed())
-    {
-      book(normal_impulse[w] * wall.speed, wall, report);
-      report.contact_loss += normal_impulse[w] * wall.speed;
-    }
+      book_told(-dt * wall.slide_speed * along, wall, report);
+    if (is_free(wall, Freedom::across))
+      let_go(dt, w, Freedom::across, -normal_impulse[w], wall, report);
     else
-    {
-      const double before = wall.speed, mass = wall.free.across.mass;
-      const double after = is_side_of_cell(wall) ? free_wall_step(wall, dt, 1., -normal_impulse[w]).free_speed
-                                                 : bodies.velocity[n + w][0] * wall.normal()[0] +
-                                                       bodies.velocity[n + w][1] * wall.normal()[1];
-      // The damping took what neither the load nor the primaries gave.
-      const double damping = mass * (before - after) + dt * wall.free.across.force - normal_impulse[w];
-      book(dt * wall.free.across.force * 0.5 * (before + after), wall, report);
-      report.damping_loss += damping * 0.5 * (before + after);
-      report.contact_loss += 0.5 * mass * (before * before - after * after) +
-                             (dt * wall.free.across.force - damping) * 0.5 * (before + after);
-      wall.speed = after;
-    }
+      book_told(normal_impulse[w] * wall.speed, wall, report);
     wall.travel += dt * wall.speed;
   }
 }

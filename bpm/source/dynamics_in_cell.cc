@@ -10,9 +10,7 @@ CellMotion motion_of(const std::vector<Wall<2>> &walls)
 {
   CellMotion motion;
   motion.cell = cell_of(walls);
-  for (const Wall<2> &wall : walls)
-    if (is_side_of_cell(wall))
-      motion.add_side(wall.normal(), wall.velocity());
+  for_sides(walls, [&](const Wall<2> &side) { motion.add_side(side.normal(), side.velocity()); });
   return motion;
 }
 } // namespace
@@ -20,13 +18,10 @@ CellMotion motion_of(const std::vector<Wall<2>> &walls)
 void Dynamics::see_cell(const std::vector<Wall<2>> &walls)
 {
   cell.reset();
-  for (const Wall<2> &wall : walls)
-    if (is_side_of_cell(wall))
-    {
-      cell = motion_of(walls);
-      find_centers();
-      return;
-    }
+  if (!any_sides(walls))
+    return;
+  cell = motion_of(walls);
+  find_centers();
 }
 
 contact::ImageLattice Dynamics::lattice() const
@@ -64,24 +59,21 @@ void Dynamics::prepare_cell(const double dt, const std::vector<Wall<2>> &walls)
 {
   cell = motion_of(walls);
   bodies.cell = contact::DiskCell();
-  for (const Wall<2> &wall : walls)
-    if (is_side_of_cell(wall))
-    {
-      const unsigned int d = axis_of(wall.normal());
-      const double length = cell->cell.length[d];
-      if (!wall.prescribed())
-      {
-        const FreeWallStep step = free_wall_step(wall, dt, 1.);
-        cell->add_side(wall.normal(), (step.free_speed - wall.speed) * wall.normal());
-        bodies.cell.inverse_mass[d][d] = 1. / (step.mass * length * length);
-      }
-      if (slides_freely(wall))
-      {
-        const FreeWallStep step = free_slide_step(wall, dt, 1.);
-        cell->add_side(wall.normal(), (step.free_speed - wall.slide_speed) * wall.tangent());
-        bodies.cell.inverse_mass[1 - d][d] = 1. / (step.mass * length * length);
-      }
-    }
+  for_sides(walls,
+            [&](const Wall<2> &side)
+            {
+              const unsigned int d = axis_of(side.normal());
+              const double length = cell->cell.length[d];
+              for (const Freedom direction : {Freedom::across, Freedom::along})
+                if (is_free(side, direction))
+                {
+                  const FreeWallStep step = free_step(side, direction, dt, 1.);
+                  cell->add_side(side.normal(),
+                                 (step.free_speed - speed_of(side, direction)) * way_of(side, direction));
+                  bodies.cell.inverse_mass[direction == Freedom::across ? d : 1 - d][d] =
+                      1. / (step.mass * length * length);
+                }
+            });
   for (unsigned int k = 0; k < 2; ++k)
     for (unsigned int l = 0; l < 2; ++l)
       bodies.cell.gradient[k][l] = cell->gradient[k][l];
@@ -108,13 +100,9 @@ void Dynamics::take_along(const double dt, std::vector<Wall<2>> &walls, Dynamics
   // Sides have their speeds at the end of the step.
   CellMotion motion;
   motion.cell = cell->cell;
-  for (const Wall<2> &wall : walls)
-    if (is_side_of_cell(wall))
-      motion.add_side(wall.normal(), wall.velocity());
+  for_sides(walls, [&](const Wall<2> &side) { motion.add_side(side.normal(), side.velocity()); });
   const double offset = motion.offset_after(dt);
-  for (Wall<2> &wall : walls)
-    if (is_side_of_cell(wall))
-      wall.offset = offset;
+  for_sides(walls, [&](Wall<2> &side) { side.offset = offset; });
   if (!motion.deforms())
     return;
   // All copies of the cell stay alike: what is peculiar now is measured against the cell after the step.

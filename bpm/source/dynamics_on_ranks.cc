@@ -30,8 +30,7 @@ std::vector<std::uint32_t> primaries_of(const List &at_walls)
 void Dynamics::share_by(const Exchange &everyone, const std::vector<Wall<2>> &walls)
 {
   exchange = &everyone;
-  const bool repeats =
-      std::any_of(walls.begin(), walls.end(), [](const Wall<2> &w) { return is_side_of_cell(w); });
+  const bool repeats = any_sides(walls);
   if (exchange->alone() || repeats || remembered.adhesion.acts() || obstacles != nullptr ||
       primaries.size() < fewest_to_part)
     return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/app/outlook.h>
 #include <softgrain/app/stage_path.h>
-#include <softgrain/driving/wall.h>
+#include <softgrain/driving/wall_freedom.h>
 #include <softgrain/geometry/box.h>
 
 #include <algorithm>
@@ -41,10 +41,10 @@ public:
     const std::optional<Box<2>> before = box_of(walls());
     for (Wall<2> &wall : moving)
     {
-      wall.speed = wall.prescribed() ? demand_of(wall, now, dt).velocity : 0.;
+      wall.speed = told_rates(wall, now, dt).speed;
       wall.travel += dt * wall.speed;
       fastest = std::max(fastest, std::abs(wall.speed));
-      pressed = pressed || !wall.prescribed();
+      pressed = pressed || is_free(wall, Freedom::across);
     }
     if (before)
       give_way(before->volume());
@@ -82,7 +82,8 @@ private:
   void give_way(const double area_before)
   {
     const std::optional<Box<2>> box = box_of(walls());
-    const auto yields = [](const Wall<2> &wall) { return !wall.prescribed() && !is_side_of_cell(wall); };
+    const auto yields = [](const Wall<2> &wall)
+    { return is_free(wall, Freedom::across) && !is_side_of_cell(wall); };
     const unsigned int n = std::count_if(moving.begin(), moving.end(), yields);
     const double lost = box ? area_before - box->volume() : 0.;
     for (std::size_t w = 0; w < moving.size() && lost != 0.; ++w)

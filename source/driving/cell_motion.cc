@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/driving/cell_motion.h>
+#include <softgrain/driving/wall_freedom.h>
 
 namespace softgrain
 {
@@ -17,19 +18,18 @@ PeriodicCell<2> cell_of(const std::vector<Wall<2>> &walls)
 {
   std::vector<CellSide<2>> sides;
   double offset = 0.;
-  for (const Wall<2> &wall : walls)
-    if (is_side_of_cell(wall))
-    {
-      sides.push_back({wall.point(), wall.normal()});
-      offset = wall.offset;
-    }
+  for_sides(walls,
+            [&](const Wall<2> &side)
+            {
+              sides.push_back({side.point(), side.normal()});
+              offset = side.offset;
+            });
   return make_cell(sides, offset);
 }
 
 void load_sides(std::vector<Wall<2>> &walls, const PeriodicCell<2> &cell, const dealii::Tensor<2, 2> &virial)
 {
-  for (Wall<2> &wall : walls)
-    if (is_side_of_cell(wall))
-      wall.book.force = -1. / cell.length[axis_of(wall.normal())] * (virial * wall.normal());
+  for_sides(walls, [&](Wall<2> &side)
+            { side.book.force = -1. / cell.length[axis_of(side.normal())] * (virial * side.normal()); });
 }
 } // namespace softgrain

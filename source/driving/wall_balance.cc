@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/driving/wall_balance.h>
+#include <softgrain/driving/wall_freedom.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +17,8 @@ double unbalanced(const std::vector<Wall<2>> &walls)
   };
   for (const Wall<2> &wall : walls)
   {
-    if (!wall.prescribed())
-      look(wall.free.across.force, wall.book.force * wall.normal());
-    if (slides_freely(wall))
-      look(wall.free.along.force, wall.book.force * wall.tangent());
+    for (const Freedom direction : freedoms_of(wall))
+      look(load_on(wall, direction).force, wall.book.force * way_of(wall, direction));
   }
   return largest;
 }

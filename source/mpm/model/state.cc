@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/driving/wall_freedom.h>
 #include <softgrain/mpm/body/point_store.h>
 #include <softgrain/mpm/model/state.h>
-
-#include <algorithm>
 
 namespace softgrain::mpm
 {
@@ -21,7 +20,7 @@ void State::order_points()
 
 bool State::repeats() const
 {
-  return std::any_of(walls.begin(), walls.end(), [](const Wall<2> &wall) { return is_side_of_cell(wall); });
+  return any_sides(walls);
 }
 
 std::optional<CellMotion> State::cell_motion(const std::vector<WallMotion<2>> &motion) const
@@ -30,9 +29,12 @@ std::optional<CellMotion> State::cell_motion(const std::vector<WallMotion<2>> &m
     return std::nullopt;
   CellMotion cell;
   cell.cell = cell_of(walls);
-  for (unsigned int w = 0; w < walls.size(); ++w)
-    if (is_side_of_cell(walls[w]))
-      cell.add_side(motion[w].normal, motion[w].mean_velocity());
+  for_sides(walls,
+            [&](const Wall<2> &side)
+            {
+              const WallMotion<2> &moves = motion[&side - walls.data()];
+              cell.add_side(moves.normal, moves.mean_velocity());
+            });
   return cell;
 }
 } // namespace softgrain::mpm

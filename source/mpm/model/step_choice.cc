@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/driving/wall_freedom.h>
 #include <softgrain/mpm/model/step_choice.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
 #include <softgrain/parameters/within_section.h>
@@ -74,7 +75,6 @@ void parse_time_parameters(dealii::ParameterHandler &prm, Settings &settings)
 
 bool all_are_told(const std::vector<Wall<2>> &walls)
 {
-  return std::all_of(walls.begin(), walls.end(),
-                     [](const Wall<2> &wall) { return wall.prescribed() && !slides_freely(wall); });
+  return std::none_of(walls.begin(), walls.end(), [](const Wall<2> &wall) { return is_free(wall); });
 }
 } // namespace softgrain::mpm

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/driving/wall_freedom.h>
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/stepping/accept_step.h>
 #include <softgrain/mpm/stepping/account_contacts.h>
@@ -123,9 +124,8 @@ void move_walls(State &state, const FoundStep &step, const std::optional<CellMot
   {
     state.walls[w].travel += dt * step.motion[w].velocity;
     accept_pressure(state.walls[w]);
-    if (is_side_of_cell(state.walls[w]))
-      state.walls[w].offset = cell->offset_after(dt);
   }
+  for_sides(state.walls, [&](Wall<2> &side) { side.offset = cell->offset_after(dt); });
 }
 } // namespace
 

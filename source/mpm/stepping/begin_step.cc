@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/driving/wall_freedom.h>
 #include <softgrain/mpm/stepping/begin_step.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 
@@ -22,11 +23,9 @@ std::vector<WallMotion<2>> wall_motion(State &state, Workspace &work, const Step
   std::vector<WallMotion<2>> motion;
   for (const Wall<2> &wall : walls)
   {
-    const double velocity =
-        plan.held || !wall.prescribed() ? 0. : demand_of(wall, state.time, plan.dt).velocity;
-    motion.push_back({wall.point(), wall.normal(), velocity,
-                      wall.body == Wall<2>::no_body && !is_side_of_cell(wall), velocity, std::abs(velocity),
-                      plan.held || slides_freely(wall) ? 0. : demanded_slide(wall, state.time, plan.dt)});
+    const WallRates told = plan.held ? WallRates() : told_rates(wall, state.time, plan.dt);
+    motion.push_back({wall.point(), wall.normal(), told.speed, is_plane(wall), told.speed,
+                      std::abs(told.speed), told.slide});
   }
   for (const FreeWall<2> &free : work.contact.free_walls.list)
     if (!free.slides() || free.length > 0.)

@@ -35,38 +35,37 @@ void stop_flight(const Problem &problem, const double dt, FreeWall<2> &free)
     free.stop = std::max(most, 2. * std::abs(free.start_speed));
 }
 
-/// A wall of the step that is free along @p way.
-FreeWall<2> free_wall(const State &state, const unsigned int w, const dealii::Tensor<1, 2> &way)
+/// A wall of the step that is free in a direction.
+FreeWall<2> free_wall(const State &state, const unsigned int w, const Freedom direction)
 {
   FreeWall<2> free;
   free.wall = w;
   free.normal = state.walls[w].normal();
-  free.way = way;
+  free.way = way_of(state.walls[w], direction);
   if (is_side_of_cell(state.walls[w]))
     free.length = cell_of(state.walls).length[axis_of(free.normal)];
   return free;
 }
 
-/// Makes a wall that is free along @p way an unknown of the step. @param load on it that way [N/m]
-/// @param speed that way at the start [m/s] @param own its step with its mass, without contact
+/// Makes a wall that is free in a direction an unknown of the step.
 void add_free_wall(const Problem &problem,
-                   const State &state,
+                   State &state,
                    Workspace &work,
                    const StepPlan &plan,
-                   const double load,
-                   const double speed,
-                   FreeWallStep (*const own)(const Wall<2> &, double, double, double),
-                   FreeWall<2> free)
+                   const unsigned int w,
+                   const Freedom direction)
 {
+  Wall<2> &wall = state.walls[w];
+  FreeWall<2> free = free_wall(state, w, direction);
   const TimeScheme &scheme = problem.settings.scheme;
   if (scheme.ends_in_balance())
-    resist(problem, state, plan, load, free);
+    resist(problem, state, plan, load_on(wall, direction).force, free);
   else
   {
-    const FreeWallStep step = own(state.walls[free.wall], plan.dt, scheme.theta, 0.);
+    const FreeWallStep step = free_step(wall, direction, plan.dt, scheme.theta);
     free.mass = step.mass;
     free.free_speed = step.free_speed;
-    free.start_speed = speed;
+    free.start_speed = speed_of(wall, direction);
     stop_flight(problem, plan.dt, free);
   }
   free.speed = free.start_speed;
@@ -81,21 +80,11 @@ void press_walls(const Problem &problem, State &state, Workspace &work, const St
   const double time = state.time + (at_end && !plan.held ? plan.dt : 0.), over = at_end ? 0. : plan.dt;
   work.contact.free_walls.list.clear();
   for (unsigned int w = 0; w < state.walls.size(); ++w)
-  {
-    Wall<2> &wall = state.walls[w];
-    const double length = pressed_length(state.walls, w);
-    if (slides_freely(wall))
+    for (const Freedom direction : freedoms_of(state.walls[w]))
     {
-      put_shear(wall, demanded_shear(wall, time, over), length);
-      add_free_wall(problem, state, work, plan, wall.free.along.force, wall.slide_speed, &free_slide_step,
-                    free_wall(state, w, wall.tangent()));
+      put_stress(state.walls, w, direction, time, over);
+      add_free_wall(problem, state, work, plan, w, direction);
     }
-    if (wall.prescribed())
-      continue;
-    put_pressure(wall, asked_pressure(state.walls, w, time, over), length);
-    add_free_wall(problem, state, work, plan, wall.free.across.force, wall.speed, &free_wall_step,
-                  free_wall(state, w, wall.normal()));
-  }
 }
 
 void follow_free_walls(const Problem &problem, const Workspace &work, std::vector<WallMotion<2>> &motion)
@@ -129,12 +118,12 @@ void account_free_wall(
     const Problem &problem, State &state, const FreeWall<2> &free, const double rate, const double dt)
 {
   Wall<2> &wall = state.walls[free.wall];
-  const bool slides = free.slides();
+  const Freedom direction = freedom_of(free);
   const TimeScheme &scheme = problem.settings.scheme;
-  (slides ? wall.slide_speed : wall.speed) = scheme.ends_in_balance() ? rate : free.speed;
+  speed_of(wall, direction) = scheme.ends_in_balance() ? rate : free.speed;
   if (scheme.ends_in_balance())
     return;
-  const WallLoad &load = slides ? wall.free.along : wall.free.across;
+  const WallLoad &load = load_on(wall, direction);
   const double moving = scheme.over_step(free.start_speed, free.speed);
   wall.book.work += dt * load.force * rate;
   state.balance.wall_damping_loss += dt * load.damping * moving * rate;
@@ -150,13 +139,11 @@ WallImbalance worst_wall(const Problem &problem, const State &state)
   for (unsigned int w = 0; w < state.walls.size(); ++w)
   {
     const Wall<2> &wall = state.walls[w];
-    if (slides_freely(wall))
-      worst.compare(w, true, -1. * (wall.book.force * wall.tangent()),
-                    demanded_shear(wall, state.time, 0.) * pressed_length(state.walls, w), floor);
     // Walls beside it have moved: length and stress are others.
-    if (!wall.prescribed())
-      worst.compare(w, false, -1. * (wall.book.force * wall.normal()),
-                    asked_pressure(state.walls, w, state.time, 0.) * pressed_length(state.walls, w), floor);
+    for (const Freedom direction : freedoms_of(wall))
+      worst.compare(w, direction == Freedom::along, -1. * (wall.book.force * way_of(wall, direction)),
+                    asked_stress(state.walls, w, direction, state.time, 0.) * pressed_length(state.walls, w),
+                    floor);
   }
   return worst;
 }
@@ -194,7 +181,7 @@ void check_room_of_walls(const Problem &problem, const State &state, const doubl
 {
   const double room = problem.settings.mesh_lower.distance(problem.settings.mesh_upper);
   for (const Wall<2> &wall : state.walls)
-    if (slides_freely(wall) && slid > room)
+    if (is_free(wall, Freedom::along) && slid > room)
     {
       std::ostringstream message;
       message << "at time " << state.time << " s nothing bears the shear stress of wall '"
@@ -202,7 +189,7 @@ void check_room_of_walls(const Problem &problem, const State &state, const doubl
       throw ComputationError(message.str());
     }
   for (unsigned int w = 0; w < state.walls.size(); ++w)
-    if (!state.walls[w].prescribed() &&
+    if (is_free(state.walls[w], Freedom::across) &&
         (pressed_length(state.walls, w) <= 0. || std::abs(state.walls[w].travel) > room))
     {
       std::ostringstream message;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/driving/wall_freedom.h>
 #include <softgrain/mpm/stepping/keep_points.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/ray_step.h>
@@ -68,7 +69,7 @@ protected:
   bool walls_yield() const override
   {
     return std::any_of(state.walls.begin(), state.walls.end(),
-                       [](const Wall<2> &wall) { return slides_freely(wall) || !wall.prescribed(); });
+                       [](const Wall<2> &wall) { return is_free(wall); });
   }
 
   bool remembers() const override { return state.adhesion.remembers() || any_history(state.bodies); }

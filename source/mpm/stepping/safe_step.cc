@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/driving/wall_freedom.h>
 #include <softgrain/mpm/contact/obstacle_solid.h>
 #include <softgrain/mpm/contact/overlap_judge.h>
 #include <softgrain/mpm/stepping/safe_step.h>
@@ -119,7 +120,7 @@ double safe_from_walls(
     const dealii::Point<2> nearest(n[0] > 0. ? flight.lower[0] : flight.upper[0],
                                    n[1] > 0. ? flight.lower[1] : flight.upper[1]);
     const double gap = (nearest - wall.point()) * n;
-    const double own = wall.prescribed() ? demand_of(wall, state.time, dt).velocity : wall.speed;
+    const double own = expected_rates(wall, state.time, dt).speed;
     const double speed = std::max(0., own - flight.velocity * n) + flight.spread;
     step = std::min(step, time_of_way(std::max(reach, gap), speed, pull_of(problem, state)));
   }
@@ -212,13 +213,12 @@ double safe_in_cell(const Problem &problem,
   }
   CellMotion cell;
   cell.cell = cell_of(state.walls);
-  for (const Wall<2> &wall : state.walls)
-    if (is_side_of_cell(wall))
-      cell.add_side(wall.normal(),
-                    (wall.prescribed() ? demand_of(wall, state.time, dt).velocity : wall.speed) *
-                            wall.normal() +
-                        (slides_freely(wall) ? wall.slide_speed : demanded_slide(wall, state.time, dt)) *
-                            wall.tangent());
+  for_sides(state.walls,
+            [&](const Wall<2> &side)
+            {
+              const WallRates rates = expected_rates(side, state.time, dt);
+              cell.add_side(side.normal(), rates.speed * side.normal() + rates.slide * side.tangent());
+            });
   return std::min(dt, time_of_way(std::min(largest_way_in_widths * narrowest, reach),
                                   2. * fastest + cell.gradient.norm() * widest, pull_of(problem, state)));
 }

@@ -17,7 +17,7 @@
 #include <softgrain/driving/cell_motion.h>
 #include <softgrain/driving/obstacle.h>
 #include <softgrain/driving/obstacle_feet.h>
-#include <softgrain/driving/wall.h>
+#include <softgrain/driving/wall_freedom.h>
 #include <softgrain/model/state_file.h>
 
 #include <algorithm>
@@ -223,7 +223,9 @@ private:
   Overlap deepest_of_ranks(double dt, double limit) const;
   Overlap deepest_in_obstacles(double dt) const;
   Overlap deepest_of_all_ranks(const Overlap &here) const;
-  void let_slide(double dt, std::size_t w, Wall<2> &wall, DynamicsReport &report) const;
+  /// Lets wall @p w go that way, in which it is free. @param push of the primaries [N s/m]
+  void let_go(
+      double dt, std::size_t w, Freedom direction, double push, Wall<2> &wall, DynamicsReport &report) const;
   /// Sums of what primaries do in a step.
   struct Work;
   /// Adds what a primary that is free to move does.

@@ -2,12 +2,19 @@
 #ifndef softgrain_mpm_stepping_pressed_walls_h
 #define softgrain_mpm_stepping_pressed_walls_h
 
+#include <softgrain/driving/wall_freedom.h>
 #include <softgrain/mpm/stepping/step.h>
 
 #include <vector>
 
 namespace softgrain::mpm
 {
+/// The direction in which it is free.
+inline Freedom freedom_of(const FreeWall<2> &wall)
+{
+  return wall.slides() ? Freedom::along : Freedom::across;
+}
+
 /// Puts their loads on the walls that are free and makes them unknowns of the step.
 void press_walls(const Problem &problem, State &state, Workspace &work, const StepPlan &plan);
 
