@@ -67,7 +67,7 @@ struct WallRates
 };
 /// What its drive tells a wall for a step of @p dt from @p time on; 0 where it is free.
 WallRates told_rates(const Wall<2> &wall, double time, double dt);
-/// The same; where it is free, as it goes now.
+/// What its drive tells it; where it is free, as it goes now.
 WallRates expected_rates(const Wall<2> &wall, double time, double dt);
 
 /// Whether bodies meet its plane itself: it is neither made of material points nor a side of a cell.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/parallel.h>
+#include <softgrain/driving/partner_numbers.h>
 #include <softgrain/model/state_file.h>
 #include <softgrain/mpm/contact/frame_memory.h>
 #include <softgrain/mpm/contact/obstacle_line.h>
@@ -118,9 +119,9 @@ Frame::RayPlace FrameLists::ray(const std::size_t r, const Frame &frame, const S
     ray.pull = adhesion[2 * r];
     ray.memory = adhesion[2 * r + 1];
   }
-  if (frame.partner == Frame::none && frame.wall >= surfaces.n_walls)
+  if (frame.partner == Frame::none && PartnerNumbers(surfaces.n_walls).is_obstacle(frame.wall))
   {
-    const LineSurface &line = surfaces.lines[frame.wall - surfaces.n_walls];
+    const LineSurface &line = surfaces.lines[PartnerNumbers(surfaces.n_walls).obstacle(frame.wall)];
     if (piece[0] >= line.n_pieces())
       in.refuse(name + "/pieces", "the obstacle has no such piece");
     ray.place[0] = line.at(piece[0], numbers[3]);

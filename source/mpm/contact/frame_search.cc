@@ -39,8 +39,8 @@ void look(const FrameScene<dim> &scene,
   {
     // Long lines have but a part near a body; a surface is sampled where it faces the body.
     if constexpr (dim == 2)
-      task.image = std::make_unique<SampledSurface<2>>(
-          part_in(task.near, lines[task.named.wall - scene.walls.size()]));
+      task.image =
+          std::make_unique<SampledSurface<2>>(part_in(task.near, lines[obstacle_of(scene, task.named)]));
     else
       task.image = std::make_unique<SampledSurface<3>>(
           scene.line_of(task.named)->facing(body, reach_of(scene, task.named)));

@@ -94,7 +94,7 @@ public:
     for (unsigned int o = 0; scene.lines != nullptr && o < scene.lines->size(); ++o)
     {
       FrameTask<dim> &task = add(b);
-      task.named.wall = scene.walls.size() + o;
+      task.named.wall = PartnerNumbers(scene.walls.size()).of_obstacle(o);
       task.near = boxes.box[b];
       task.near.extend(0.5 * scene.reach + scene.cell_size);
     }

@@ -26,6 +26,37 @@ relative_velocity(const State &state, const Workspace &work, const std::vector<E
                                         { return nodal[b]; });
 }
 
+double way_of_partner(const ContactRow<2> &row,
+                      const std::vector<WallMotion<2>> &motion,
+                      const unsigned int component,
+                      const double dt)
+{
+  if (row.obstacle)
+    return dt * row.partner_velocity * direction_of(row, component);
+  // Slabs that are driven move in relative_velocity() already.
+  const bool plane = row.partner == ContactRow<2>::none;
+  return plane && component == 0 ? dt * motion[row.wall].velocity : 0.;
+}
+
+double parting_at_work(const ContactRow<2> &row,
+                       const std::vector<WallMotion<2>> &motion,
+                       const unsigned int component,
+                       double relative)
+{
+  const dealii::Tensor<1, 2> direction = direction_of(row, component);
+  if (row.obstacle)
+    return relative - row.partner_velocity * direction;
+  if (row.wall == ContactRow<2>::none)
+    return relative;
+  // Slabs move in relative_velocity() already, planes do not.
+  const bool plane = row.partner == ContactRow<2>::none;
+  const WallMotion<2> &moves = motion[row.wall];
+  relative -= ((plane ? 0. : -moves.velocity) + moves.rate) * (moves.normal * direction);
+  if (plane && moves.slide != 0.)
+    relative -= moves.slide * (moves.tangent() * direction);
+  return relative;
+}
+
 std::vector<double> row_velocity(const State &state,
                                  const Workspace &work,
                                  const std::vector<Eigen::VectorXd> &v,
@@ -41,15 +72,9 @@ std::vector<double> row_velocity(const State &state,
   std::vector<double> q = relative_velocity(state, work, v);
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
-    // Slabs that are driven move in relative_velocity() already.
-    const bool plane = rows[r].partner == ContactRow<2>::none && !rows[r].obstacle;
-    double start = plane ? motion[rows[r].wall].velocity : 0., end = start;
-    if (rows[r].obstacle)
-    {
-      start = end = rows[r].partner_velocity * rows[r].normal;
-      for (unsigned int c = 1; c < components; ++c)
-        q[r * components + c] -= rows[r].partner_velocity * direction_of(rows[r], c);
-    }
+    double start = way_of_partner(rows[r], motion, 0, 1.), end = start;
+    for (unsigned int c = 1; c < components; ++c)
+      q[r * components + c] -= way_of_partner(rows[r], motion, c, 1.);
     for (const FreeWall<2> &free : work.contact.free_walls.list)
       if (free.wall == rows[r].wall)
       {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // How walls and obstacles in space move, and what they do.
+#include <softgrain/driving/obstacle_partner.h>
 #include <softgrain/mpm/model/space_model.h>
 #include <softgrain/scene/wall_drive.h>
 

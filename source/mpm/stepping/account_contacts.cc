@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/driving/wall_partner.h>
 #include <softgrain/mpm/stepping/account_contacts.h>
 #include <softgrain/mpm/stepping/contact_work.h>
 #include <softgrain/mpm/stepping/driven_work.h>
+#include <softgrain/mpm/stepping/plane_partners.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 
-#include <algorithm>
-#include <cmath>
+#include <optional>
+#include <vector>
 
 namespace softgrain::mpm
 {
@@ -28,70 +30,24 @@ public:
 
 private:
   void book_row(const ContactWork &contact, unsigned int row, unsigned int component);
-  void book_partner(const ContactRow<2> &row, const Vector &direction, double impulse, double acting);
-  void give(Wall<2> &wall, const Vector &given);
-  /// The part of the velocity of a wall with which it does work, not its load [m/s].
-  Vector working_velocity(const Wall<2> &wall) const
-  {
-    return step.balanced ? wall.velocity() : prescribed_velocity_of(wall);
-  }
-  void book_wall(unsigned int w, std::vector<DrivenWork> &driven);
 
   State &state;
   const Workspace &work;
   const FoundStep &step;
   const double dt;
-  std::vector<Vector> force_before;                   ///< on walls
-  std::vector<std::pair<Vector, double>> felt_before; ///< by obstacles: force and torque
+  const PlanePartners partners;
   const std::optional<CellMotion> cell;
   dealii::Tensor<2, 2> virial;
 };
 
 ContactAccounts::ContactAccounts(State &state, const Workspace &work, const FoundStep &step)
-    : state(state), work(work), step(step), dt(step.plan.dt), cell(state.cell_motion(step.motion))
+    : state(state)
+    , work(work)
+    , step(step)
+    , dt(step.plan.dt)
+    , partners(state, work, step)
+    , cell(state.cell_motion(step.motion))
 {
-  for (unsigned int w = 0; w < state.walls.size(); ++w)
-  {
-    force_before.push_back(state.walls[w].book.force);
-    state.walls[w].book.force = 0.;
-    state.walls[w].speed = step.motion[w].rate;
-    state.walls[w].slide_speed = step.motion[w].slide;
-  }
-  for (Obstacle<2> &obstacle : state.obstacles)
-  {
-    felt_before.emplace_back(obstacle.force, obstacle.torque);
-    obstacle.arrive();
-  }
-}
-
-void ContactAccounts::give(Wall<2> &wall, const Vector &given)
-{
-  wall.book.give(given, dt);
-  state.balance.momentum.of_walls += given;
-  wall.book.work += given * working_velocity(wall);
-}
-
-void ContactAccounts::book_partner(const ContactRow<2> &row,
-                                   const Vector &direction,
-                                   const double impulse,
-                                   const double acting)
-{
-  const Vector given = impulse * direction;
-  if (row.obstacle)
-  {
-    Obstacle<2> &obstacle = state.obstacles[row.wall - state.walls.size()];
-    obstacle.give(given, row.place, dt);
-    state.balance.momentum.of_walls += given;
-    if (!step.balanced)
-      obstacle.work += acting * (row.partner_velocity * direction);
-  }
-  else if (row.wall != ContactRow<2>::none)
-    give(state.walls[row.wall], given);
-  else if (row.partner != ContactRow<2>::none && state.bodies[row.partner].driven)
-  {
-    state.balance.momentum.of_walls += given;
-    state.balance.driven_work += acting * (direction * work.drive[row.partner]);
-  }
 }
 
 void ContactAccounts::book_row(const ContactWork &contact, const unsigned int r, const unsigned int c)
@@ -100,7 +56,12 @@ void ContactAccounts::book_row(const ContactWork &contact, const unsigned int r,
   const Vector direction = direction_of(row, c);
   const double impulse = work.contact.impulses()[r * work.contact.n_components() + c],
                acting = contact.acting(r, c);
-  book_partner(row, direction, impulse, acting);
+  if (RigidPartner<2> *const partner = partners.of(row))
+  {
+    const PartnerImpulse<2> given{direction, impulse, acting, row.place, row.partner_velocity, dt};
+    partner->take(given);
+    state.balance.momentum.of_walls += given.given();
+  }
   if (cell)
     virial += impulse / dt * outer_product(direction, row.cell.branch);
   if (c == 0 && !step.balanced)
@@ -129,28 +90,14 @@ void ContactAccounts::load_sides_of_cell()
   if (!cell)
     return;
   load_sides(state.walls, cell->cell, virial);
-  for (Wall<2> &wall : state.walls)
-    if (is_side_of_cell(wall))
-      wall.book.work -= dt * (wall.book.force * working_velocity(wall));
-}
-
-void ContactAccounts::book_wall(const unsigned int w, std::vector<DrivenWork> &driven)
-{
-  Wall<2> &wall = state.walls[w];
-  double change = 0.5 * dt * wall.speed * (wall.book.force - force_before[w]) * wall.description.normal;
-  if (wall.slide_speed != 0.)
-    change += 0.5 * dt * wall.slide_speed * (wall.book.force - force_before[w]) * wall.tangent();
-  wall.book.work += change;
-  driven.push_back({&wall.book.work, std::abs(change)});
+  for_sides(state.walls, [this](Wall<2> &side)
+            { side.book.work -= dt * (side.book.force * working_velocity(side, step.balanced)); });
 }
 
 void ContactAccounts::book_means()
 {
   std::vector<DrivenWork> driven;
-  for (unsigned int o = 0; o < state.obstacles.size(); ++o)
-    book_obstacle(state.obstacles[o], felt_before[o].first, felt_before[o].second, driven);
-  for (unsigned int w = 0; w < state.walls.size(); ++w)
-    book_wall(w, driven);
+  partners.book_means(driven);
   if (const double share = give_kinks(step.kinks, driven); share > 0.)
     state.balance.contact_loss += share * step.kinks.of_slides;
 }

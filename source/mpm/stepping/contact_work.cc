@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/contact/row_velocity.h>
 #include <softgrain/mpm/stepping/contact_work.h>
+#include <softgrain/mpm/stepping/plane_partners.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/stored_energy.h>
 
@@ -14,15 +15,6 @@ namespace
 constexpr double allowed = 1e-3; ///< share of the energy of all bodies that contact may give in a step
 /// Energy of such a strain is within the tolerance of the contact problem.
 constexpr double floor_strain = 1e-6;
-
-std::string partner_of(const State &state, const ContactRow<2> &row)
-{
-  if (row.obstacle)
-    return "obstacle '" + state.obstacles[row.wall - state.walls.size()].description.name + "'";
-  if (row.wall != ContactRow<2>::none)
-    return "wall '" + state.walls[row.wall].description.name + "'";
-  return "body '" + state.bodies[row.partner].name + "'";
-}
 } // namespace
 
 ContactWork::ContactWork(const State &state,
@@ -63,19 +55,7 @@ double ContactWork::acting(const unsigned int row, const unsigned int component)
 double ContactWork::parting(const unsigned int row, const unsigned int component) const
 {
   const ContactRow<2> &of_row = work.contact.contact_rows()[row];
-  const dealii::Tensor<1, 2> direction = direction_of(of_row, component);
-  double speed = relative[row * components + component];
-  if (of_row.obstacle)
-    speed -= of_row.partner_velocity * direction;
-  else if (of_row.wall != ContactRow<2>::none)
-  {
-    // Slabs move in relative_velocity() already, planes do not.
-    const bool plane = of_row.partner == ContactRow<2>::none;
-    const WallMotion<2> &moves = motion[of_row.wall];
-    speed -= ((plane ? 0. : -moves.velocity) + moves.rate) * (state.walls[of_row.wall].normal() * direction);
-    if (plane && moves.slide != 0.)
-      speed -= moves.slide * (moves.tangent() * direction);
-  }
+  double speed = parting_at_work(of_row, motion, component, relative[row * components + component]);
   if (cell)
     speed += cell->gradient * of_row.cell.branch * direction_of(of_row, component);
   return speed;
@@ -146,7 +126,7 @@ std::string why_contact_gives(const Problem &problem,
   std::ostringstream text;
   text << "contact would give the bodies " << short_number(gift.energy) << " J/m where they have "
        << short_number(*held) << " J/m, most of it where body '" << state.bodies[row.body].name << "' meets "
-       << partner_of(state, row) << " near (" << short_number(row.place[0]) << ", "
+       << partner_in_words(state, row.wall, row.partner) << "' near (" << short_number(row.place[0]) << ", "
        << short_number(row.place[1]) << ") m, with a gap of "
        << short_number(row.gap / problem.lattice->cell_size()) << " cells at the start of the step";
   return text.str();

@@ -2,29 +2,9 @@
 #include <softgrain/mpm/stepping/driven_work.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace softgrain::mpm
 {
-template <int dim>
-void book_obstacle(Obstacle<dim> &obstacle,
-                   const dealii::Tensor<1, dim> &force,
-                   const double torque,
-                   std::vector<DrivenWork> &driven)
-{
-  const ObstacleMotion<dim> &way = obstacle.way;
-  if (way.dt == 0.)
-    return;
-  const dealii::Tensor<1, dim> shift = way.end.shift - way.start.shift;
-  const double angle = way.end.angle - way.start.angle;
-  obstacle.work -= 0.5 * (force + obstacle.force) * shift + 0.5 * (torque + obstacle.torque) * angle;
-  driven.push_back({&obstacle.work,
-                    0.5 * std::abs((obstacle.force - force) * shift + (obstacle.torque - torque) * angle)});
-}
-
-template void book_obstacle(Obstacle<2> &, const dealii::Tensor<1, 2> &, double, std::vector<DrivenWork> &);
-template void book_obstacle(Obstacle<3> &, const dealii::Tensor<1, 3> &, double, std::vector<DrivenWork> &);
-
 double give_kinks(const ContactKinks &kinks, const std::vector<DrivenWork> &driven)
 {
   double most = 0.;

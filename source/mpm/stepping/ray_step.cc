@@ -8,6 +8,7 @@
 #include <softgrain/mpm/stepping/contact_work.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/judge_step.h>
+#include <softgrain/mpm/stepping/plane_partners.h>
 #include <softgrain/mpm/stepping/plane_scene.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/ray_newton.h>
@@ -111,8 +112,7 @@ void RayStep::find_free_walls()
       system.ways.back().at = dt * free.start_speed;
       continue;
     }
-    const double load = free.slides() ? wall.free.along.force : wall.free.across.force,
-                 net = load + wall.book.force * free.way;
+    const double load = load_on(wall, freedom_of(free)).force, net = load + wall.book.force * free.way;
     // The spring is that of bodies that resist no more than they must.
     system.ways.emplace_back(free, slab, side, std::abs(net) < 0.5 * std::abs(load) ? 0. : net, load,
                              problem.settings.wall_motion * h,
@@ -123,10 +123,7 @@ void RayStep::find_free_walls()
 
 std::string RayStep::partner_of(const ContactFrame<2> &frame) const
 {
-  return frame.partner != none ? "body '" + state.bodies[frame.partner].name
-         : frame.wall < state.walls.size()
-             ? "wall '" + state.walls[frame.wall].description.name
-             : "obstacle '" + state.obstacles[frame.wall - state.walls.size()].description.name;
+  return partner_in_words(state, frame.wall, frame.partner);
 }
 
 std::string RayStep::find()

@@ -75,10 +75,7 @@ std::vector<double> end_gaps(const State &state,
   for (unsigned int r = 0; r < rows.size(); ++r)
   {
     gap[r] = rows[r].gap + dt * w[r * components];
-    if (rows[r].obstacle)
-      gap[r] -= dt * rows[r].partner_velocity * rows[r].normal;
-    else if (rows[r].partner == ContactRow<2>::none)
-      gap[r] -= dt * motion[rows[r].wall].velocity;
+    gap[r] -= way_of_partner(rows[r], motion, 0, dt);
   }
   return gap;
 }

@@ -4,6 +4,7 @@
 
 #include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/cell_motion.h>
+#include <softgrain/driving/partner_numbers.h>
 #include <softgrain/geometry/outline_surface.h>
 #include <softgrain/geometry/solid_surface.h>
 #include <softgrain/mpm/body/body.h>
@@ -76,14 +77,21 @@ struct FrameScene
   const Adhesion *adhesion = nullptr;                    ///< null: nothing adheres
   const BodyShare *looking = nullptr; ///< every owner looks for its bodies, and learns of all; null: for all
 
-  /// The obstacle that a frame belongs to; null: none.
+  /// What rays meet of the obstacle that a frame belongs to; null: it has another partner.
   const ObstacleRays<dim> *line_of(const ContactFrame<dim> &frame) const
   {
-    const bool at_line =
-        lines != nullptr && frame.partner == ContactFrame<dim>::none && frame.wall >= walls.size();
-    return at_line ? &(*lines)[frame.wall - walls.size()] : nullptr;
+    const unsigned int o = lines == nullptr ? PartnerNumbers::none : obstacle_of(*this, frame);
+    return o == PartnerNumbers::none ? nullptr : &(*lines)[o];
   }
 };
+
+/// Number of the obstacle that a frame belongs to, among obstacles; none: another partner.
+template <int dim>
+unsigned int obstacle_of(const FrameScene<dim> &scene, const ContactFrame<dim> &frame)
+{
+  return frame.partner == PartnerNumbers::none ? PartnerNumbers(scene.walls.size()).obstacle(frame.wall)
+                                               : PartnerNumbers::none;
+}
 
 /// Gap up to which places of a pair are looked at [m].
 template <int dim>
@@ -110,11 +118,11 @@ double same_gap(const FrameScene<dim> &scene)
   return 1e-6 * scene.cell_size;
 }
 
-/// The way of a wall over the step; an obstacle has none here [m].
+/// The way of a wall over the step; an obstacle and a body, whose number is none, have no such way [m].
 template <int dim>
 dealii::Tensor<1, dim> way_of_wall(const FrameScene<dim> &scene, const unsigned int w)
 {
-  if (w >= scene.walls.size())
+  if (!PartnerNumbers(scene.walls.size()).is_wall(w))
     return dealii::Tensor<1, dim>();
   const WallMotion<dim> &wall = scene.walls[w];
   return scene.dt * (wall.velocity * wall.normal + wall.slide * wall.tangent());

@@ -31,6 +31,20 @@ struct Opening
 std::vector<double>
 relative_velocity(const State &state, const Workspace &work, const std::vector<Eigen::VectorXd> &nodal);
 
+/// Way over @p dt, along a component of a row, of what its body meets, where no nodes and no driven body tell
+/// it: of a plane, along its normal, or of an obstacle [m].
+double way_of_partner(const ContactRow<2> &row,
+                      const std::vector<WallMotion<2>> &motion,
+                      unsigned int component,
+                      double dt);
+
+/// How fast the sides of a row part along a component, with the velocity of walls and obstacles with which
+/// they do work. @param relative of the nodes, see relative_velocity() [m/s]
+double parting_at_work(const ContactRow<2> &row,
+                       const std::vector<WallMotion<2>> &motion,
+                       unsigned int component,
+                       double relative);
+
 /**
  * @brief Relative velocity of every row with gap terms and the motion of walls, for end velocities @p v
  * [m/s].

@@ -43,11 +43,7 @@ protected:
 
   /// The obstacle that is the partner of a frame; none: it has another one.
   static constexpr unsigned int none = ContactFrame<3>::none;
-  unsigned int obstacle_of(const ContactFrame<3> &frame) const
-  {
-    return frame.partner == none && frame.wall >= motion.walls.size() ? frame.wall - motion.walls.size()
-                                                                      : none;
-  }
+  unsigned int obstacle_of(const ContactFrame<3> &frame) const { return mpm::obstacle_of(scene, frame); }
   /// Way over the step of the place of a wall or an obstacle that a ray has met [m].
   dealii::Tensor<1, 3> way_of_partner(const FrameState<3> &frame, unsigned int k) const;
 

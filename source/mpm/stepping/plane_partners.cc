@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/driving/obstacle_partner.h>
+#include <softgrain/driving/partner_numbers.h>
+#include <softgrain/driving/wall_partner.h>
+#include <softgrain/mpm/stepping/plane_partners.h>
+
+namespace softgrain::mpm
+{
+namespace
+{
+/// A body that is told how to move, in the books of a step.
+class DrivenBodyPartner : public RigidPartner<2>
+{
+public:
+  DrivenBodyPartner(const dealii::Tensor<1, 2> &velocity, double &work) : velocity(velocity), work(work) {}
+
+  void take(const PartnerImpulse<2> &impulse) override
+  {
+    work += impulse.acting * (impulse.direction * velocity);
+  }
+  // What acts is the mean already.
+  void book_mean(std::vector<DrivenWork> &) override {}
+
+private:
+  const dealii::Tensor<1, 2> velocity; ///< [m/s]
+  double &work;                        ///< [J/m]
+};
+} // namespace
+
+PlanePartners::PlanePartners(State &state, const Workspace &work, const FoundStep &step)
+    : n_walls(state.walls.size())
+{
+  for (std::size_t w = 0; w < n_walls; ++w)
+    numbered.push_back(std::make_unique<WallPartner>(
+        state.walls[w], WallRates{step.motion[w].rate, step.motion[w].slide}, step.plan.dt, step.balanced));
+  for (Obstacle<2> &obstacle : state.obstacles)
+    numbered.push_back(std::make_unique<ObstaclePartner<2>>(obstacle, step.balanced));
+  driven_bodies.resize(state.bodies.size());
+  for (const Body<2> &body : state.bodies)
+    if (body.driven)
+      driven_bodies[body.index] =
+          std::make_unique<DrivenBodyPartner>(work.drive[body.index], state.balance.driven_work);
+}
+
+RigidPartner<2> *PlanePartners::of(const ContactRow<2> &row) const
+{
+  return row.wall != PartnerNumbers::none      ? numbered[row.wall].get()
+         : row.partner != PartnerNumbers::none ? driven_bodies[row.partner].get()
+                                               : nullptr;
+}
+
+void PlanePartners::book_means(std::vector<DrivenWork> &works) const
+{
+  for (std::size_t n = n_walls; n < numbered.size(); ++n)
+    numbered[n]->book_mean(works);
+  for (std::size_t n = 0; n < n_walls; ++n)
+    numbered[n]->book_mean(works);
+}
+
+std::string partner_in_words(const State &state, const unsigned int number, const unsigned int body)
+{
+  if (number == PartnerNumbers::none)
+    return "body '" + state.bodies[body].name;
+  const unsigned int o = PartnerNumbers(state.walls.size()).obstacle(number);
+  return o == PartnerNumbers::none ? "wall '" + state.walls[number].description.name
+                                   : "obstacle '" + state.obstacles[o].description.name;
+}
+} // namespace softgrain::mpm
