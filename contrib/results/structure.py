@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
 Counts of doc/results/structure.md: long functions, classes with many public members, files that know of ranks, readers of time
-schemes. Files are laid out by clang-format, so that a brace on a line of its own opens what ends with the brace below it.
+schemes and of what a rigid partner of bodies is. Files are laid out by clang-format, so that a brace on a line of its own opens what ends with the brace below it.
 
     contrib/results/structure.py [--root FOLDER] [--list]
 """
@@ -20,6 +20,12 @@ MODELS = re.compile(r"^bpm/|/(?:mpm|contact)/")
 RANKS = re.compile(r"\b(?:[Rr]anks?|MPI_\w+|MPISession)\b|\b(?:n_)?ranks\w*\b")
 SCHEME = re.compile(r"scheme\.(?:inertia|implicit|theta|name)\b")
 ASKED = re.compile(r"\b(?:ends_in_balance|solves_equations)\(\)")
+
+# Whether a partner is a plane, a slab, a side of a cell, a wall that is free or an obstacle. "Rooms" are files that may know.
+KINDS = re.compile(r"\b(?:slides_freely|is_side_of_cell|prescribed)\(|\bwall\w*(?:\[\w+\])?(?:\.|->)repeats\(\)|\bno_body\b|"
+                   r"\b(?:\w*row|rows\[\w+\])\.obstacle\b|\bwall (?:-|>=|<) (?:\w+\.)?(?:n_)?walls\b")
+ROOMS = re.compile(r"(?:source|include/softgrain)/(?:driving|scene)/|/plane_partners\.|/row_velocity\.cc|/(?:wall|obstacle)_rows\.cc")
+OF_PARTNERS = re.compile(r"\bis_free\((?:\w+\.)*(?:wall|side)|\b(?:freedoms_of|is_plane|any_sides|for_sides|ahead_of|told_rates|expected_rates)\(|\bPartnerNumbers\(")
 
 
 def code(text):
@@ -93,7 +99,7 @@ def main():
     parser.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2])
     parser.add_argument("--list", action="store_true", help="name what is counted")
     arguments = parser.parse_args()
-    functions, types, words, knowing, flags, asking = [], [], [], [], {}, {}
+    functions, types, words, knowing, flags, asking, kinds, partners = [], [], [], [], {}, {}, {}, {}
     for file in sorted(file for folder in FOLDERS for end in ("h", "cc") for file in (arguments.root / folder).rglob("*." + end)):
         text, name = file.read_text(), str(file.relative_to(arguments.root))
         bare = code(text)
@@ -107,19 +113,24 @@ def main():
         for pattern, found in ((SCHEME, flags), (ASKED, asking)):
             if n := len(pattern.findall(bare)):
                 found[name] = n
+        for pattern, found in ((KINDS, kinds), (OF_PARTNERS, partners)):
+            if n := 0 if ROOMS.search(name) else len(pattern.findall(bare)):
+                found[name] = n
     rows = ((f"functions of more than {LONGEST} lines", len(functions)),
             (f"classes with more than {MOST} public members that are no parameters", len(types)),
             ("files that mention ranks, in comments too", len(words)),
             ("files whose code names ranks, of the models and their contact", f"{len(knowing)}, {sum(map(bool, map(MODELS.search, knowing)))}"),
             ("reads of the flags and numbers of a time scheme, files", f"{sum(flags.values())}, {len(flags)}"),
-            ("questions to a time scheme, files", f"{sum(asking.values())}, {len(asking)}"))
+            ("questions to a time scheme, files", f"{sum(asking.values())}, {len(asking)}"),
+            ("reads of the kind of a rigid partner outside of its rooms, files", f"{sum(kinds.values())}, {len(kinds)}"),
+            ("questions to partners in place of kinds, files", f"{sum(partners.values())}, {len(partners)}"))
     for what, value in rows:
         print(f"| {what} | {value} |")
     if arguments.list:
         for n, file, name in sorted(functions + types, reverse=True):
             print(f"{n:4} {file}: {name}")
         print(*knowing, sep="\n")
-        print(*(f"{n:3} {file}" for found in (flags, asking) for file, n in found.items()), sep="\n")
+        print(*(f"{n:3} {file}" for found in (flags, asking, kinds, partners) for file, n in found.items()), sep="\n")
 
 
 if __name__ == "__main__":
