@@ -77,6 +77,8 @@ constexpr Protocol rough = {0.2, 2e-5, 1e-2, 1e-2, 1000};
 constexpr Protocol whole = {0.2, 1e-7, 1e-4, 1e-4, 2000};
 /// Where contacts of long steps stir as much as is taken.
 constexpr Protocol careful = {0.05, 2e-8, 1e-4, 1e-4, 20000};
+/// Where thin arms of a shape still tremble.
+constexpr Protocol gentle = {0.0125, 2e-8, 1e-5, 1e-5, 20000};
 /// Primaries at rest have moved by now, if anything moves them.
 constexpr unsigned int fewest = 20;
 
@@ -173,16 +175,18 @@ void settle(Aggregate<dim> &aggregate,
     relax(aggregate, density, attraction, rough);
     return;
   }
-  double left = relax(aggregate, density, attraction, whole);
-  if (left > 1.)
-    left = relax(aggregate, density, attraction, careful);
-  if (left <= 1.)
+  double left = 0.;
+  for (const Protocol &protocol : {whole, careful, gentle})
   {
-    touch(aggregate, density, attraction);
-    return;
+    left = relax(aggregate, density, attraction, protocol);
+    if (left <= 1.)
+    {
+      touch(aggregate, density, attraction);
+      return;
+    }
   }
   std::ostringstream message;
-  message << "the primaries of body '" << name << "' do not come to rest: after " << careful.most
+  message << "the primaries of body '" << name << "' do not come to rest: after " << gentle.most
           << " steps their kinetic energy is " << left << " times that of rest";
   throw ComputationError(message.str());
 }

@@ -125,12 +125,16 @@ std::vector<std::array<double, dim>> thrown_balls(const std::vector<double> &rad
   std::vector<std::uint32_t> order(radius.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return radius[a] > radius[b]; });
-  ThrownInto<dim> box(radius, half, periodic);
-  for (const std::uint32_t i : order)
-    if (!box.place(i, random))
-      throw InputError(std::string("'Packing': the ") + (dim == 2 ? "disks" : "balls") +
-                       " do not fit into the box, they are too large for it");
-  return box.take();
+  // A large ball in the middle of a small box may leave no room for the next one, so all are thrown again.
+  constexpr unsigned int most_rounds = 20;
+  for (unsigned int round = 0; round < most_rounds; ++round)
+  {
+    ThrownInto<dim> box(radius, half, periodic);
+    if (std::all_of(order.begin(), order.end(), [&](const std::uint32_t i) { return box.place(i, random); }))
+      return box.take();
+  }
+  throw InputError(std::string("'Packing': the ") + (dim == 2 ? "disks" : "balls") +
+                   " do not fit into the box, they are too large for it");
 }
 
 template std::vector<std::array<double, 2>> thrown_balls<2>(const std::vector<double> &,

@@ -96,6 +96,24 @@ void look_across(const std::string &name, const PackingRequest2D &request, const
     std::cout << fraction << '\n';
 }
 
+/// Two disks in a box in which the first one, in the middle, would leave no room for the second.
+void two_in_a_small_box()
+{
+  PackingRequest2D request;
+  request.number = 2;
+  request.sizes.smallest = request.sizes.largest = 2.;
+  request.lower = dealii::Point<2>(0., 0.);
+  request.upper = dealii::Point<2>(5., 5.);
+  request.fraction = 0.4;
+  unsigned int made = 0;
+  for (request.seed = 1; request.seed <= 200; ++request.seed)
+  {
+    const Packing<2> packing = make_packing(request);
+    made += packing.balls[0].center.distance(packing.balls[1].center) >= 2.;
+  }
+  std::cout << "two disks in a small box: " << made << " of 200\n";
+}
+
 template <typename F>
 void refused(const F &work)
 {
@@ -138,6 +156,7 @@ int main()
   look_across("jammed, periodic", request, 0.82, 0.86);
   request.protocol.friction = 0.8;
   look_across("jammed, periodic, friction", request, 0.74, 0.83);
+  two_in_a_small_box();
   refused(
       []
       {

@@ -79,6 +79,16 @@ class Difference:
         return f"places by {self.place:.1e} cells, speeds by {self.speed:.1e}, forces by {self.force:.1e}, {self.where}"
 
 
+def force_that_counts(scene):
+    """
+    What a run at rest takes for no force, 1e-6 of the softest body over a cell [N/m]: where there is nothing else, all forces are
+    rounding.
+    """
+    moduli = [float(text) for path, text in scene.values.items() if path.endswith("/Young's modulus")]
+    at_rest = scene.get("Time/Scheme") == "quasi_static"
+    return 1e-6 * min(moduli) * spacing_of(scene) if at_rest and moduli else 0.0
+
+
 def difference(scene, first, second, change=Change(), renamed=None):
     """How far the second run is from the first in the changed frame; `renamed` gives bodies of the first other names."""
     cell, worst = spacing_of(scene), Difference()
@@ -88,7 +98,7 @@ def difference(scene, first, second, change=Change(), renamed=None):
     end = one[-1]["time_s"] if one else 0
     fastest = max([*speeds, cell / end if end > 0 else 0, 1e-300])
     forces = [abs(f) for a in one for f in by_name(a, "walls", "normal_force_N_per_m").values()]
-    largest = max([*forces, 1e-300])
+    largest = max([*forces, force_that_counts(scene), 1e-300])
     for index, (a, b) in enumerate(zip(one, other)):
         if abs(a["time_s"] - b["time_s"]) > 1e-9 * end:
             return Difference(float("inf"), where=f"snapshot {index} at another time")

@@ -49,6 +49,10 @@ public:
   /// Ends a step from balance to balance, when all is felt: books the work of the mean of the forces at both
   /// ends, and adds to @p works what more it could have done.
   virtual void book_mean(std::vector<DrivenWork> &works) = 0;
+
+  /// Books what the load on it did beside that, once what it could have done is known.
+  /// @return what of that no body got [J/m^(3-dim)]
+  virtual double book_load() { return 0.; }
 };
 } // namespace softgrain
 

@@ -27,6 +27,19 @@ way_to_nearest(const dealii::Tensor<1, n> &slope, const dealii::Tensor<2, n> &be
   return way;
 }
 
+/// Whether a gap has one nearest place. Where it turns by no more than rounding over a cell, as of a flat
+/// side along a wall, rounding alone would say where that is.
+template <int n>
+bool is_bowl(const dealii::Tensor<2, n> &bend, const double cell_size)
+{
+  const double flat = 1e-9 / cell_size;
+  if constexpr (n == 1)
+    return bend[0][0] > flat;
+  else
+    return bend[0][0] > flat && bend[1][1] > flat &&
+           (bend[0][0] - flat) * (bend[1][1] - flat) > bend[0][1] * bend[1][0];
+}
+
 /// Where the forces of a frame have their middle, from its origin [m].
 template <int dim>
 dealii::Tensor<1, dim - 1> middle_of_forces(const ContactFrame<dim> &frame)
@@ -187,7 +200,7 @@ std::optional<double> FrameLayout<dim>::find_middle(Places place, ContactFrame<d
   for (unsigned int iteration = 0; iteration < 6; ++iteration)
   {
     const std::optional<Met> met = meet_both(frame, place);
-    if (!met || !(met->bend[0][0] > 0.) || !(determinant(met->bend) > 0.))
+    if (!met || !is_bowl(met->bend, scene.cell_size))
       return std::nullopt;
     gap = met->gap;
     const Across way = way_to_nearest(met->slope, met->bend, scene.cell_size);

@@ -3,13 +3,11 @@
 #include <softgrain/mpm/contact/frame_layout.h>
 #include <softgrain/mpm/contact/frame_search.h>
 #include <softgrain/mpm/contact/frame_stretches.h>
+#include <softgrain/mpm/contact/frame_successors.h>
 #include <softgrain/mpm/contact/frame_tasks.h>
 #include <softgrain/mpm/contact/told_frames.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
 #include <memory>
 #include <utility>
 
@@ -19,13 +17,6 @@ namespace
 {
 template <int dim>
 using Frame = ContactFrame<dim>;
-
-/// In space a field has fewer shapes for the forces of rays.
-template <int dim>
-constexpr double spacing_in_cells = dim == 2 ? 0.5 : 0.6;
-constexpr double keeps_direction = 0.98163; ///< cosine of 11 degrees
-/// Cosine and distance [cells] up to which a frame is turned in place of laying another one.
-constexpr double turns_direction = 0.5, turns_within = 2.;
 
 /// Finds the stretches of a pair. @param lines samples of the obstacles of the plane
 template <int dim>
@@ -66,90 +57,25 @@ void look(const FrameScene<dim> &scene,
   add_corners(task.partner, body, task.stretches);
 }
 
-/// Frames of the step before, by what they have in common with their successors: moved with bodies that have
-/// been brought into the cell since then.
+/// What the frames for the stretches of a task have in common with those before.
 template <int dim>
-std::multimap<FrameKey<dim>, Frame<dim>> by_key(const FrameScene<dim> &scene, std::vector<Frame<dim>> frames)
+std::vector<Frame<dim>> named_frames(const FrameTask<dim> &task, const SampledSurface<dim> &body)
 {
-  std::multimap<FrameKey<dim>, Frame<dim>> result;
-  for (Frame<dim> &frame : frames)
-  {
-    const Body<dim> &body = scene.bodies[frame.body];
-    if constexpr (dim == 2)
-      if (scene.cell != nullptr && frame.home != body.home)
-      {
-        frame.origin -=
-            scene.cell->cell.shift({{body.home[0] - frame.home[0], body.home[1] - frame.home[1]}});
-        frame.home = body.home;
-      }
-    result.emplace(key_of(frame), std::move(frame));
-  }
-  return result;
-}
-
-template <int dim>
-bool is_pressed(const Frame<dim> &frame)
-{
-  return std::any_of(frame.rays.begin(), frame.rays.end(), [](const auto &ray) { return ray.force != 0.; });
-}
-
-/// The pressed frame of those before that is nearest to a stretch and has its direction within @p cosine.
-template <int dim>
-auto nearest_before(const FrameStretch<dim> &stretch,
-                    const FrameKey<dim> &key,
-                    const double cosine,
-                    double within,
-                    std::multimap<FrameKey<dim>, Frame<dim>> &before)
-{
-  const auto [first, end] = before.equal_range(key);
-  auto best = before.end();
-  for (auto old = first; old != end; ++old)
-  {
-    if (!is_pressed(old->second) || old->second.direction * stretch.direction < cosine)
-      continue;
-    const double distance = old->second.origin.distance(stretch.middle);
-    if (distance < within)
+  std::vector<Frame<dim>> result(task.stretches.size(), task.named);
+  for (unsigned int s = 0; s < result.size(); ++s)
+    if (const unsigned int corner = result[s].corner = task.stretches[s].corner; corner != Frame<dim>::none)
     {
-      within = distance;
-      best = old;
+      const SampledSurface<dim> &with_corner = corner == 0 ? *task.partner : body;
+      result[s].rays.resize(1);
+      result[s].rays[0].place[corner] = with_corner.samples[task.stretches[s].facing.front()[corner]].place;
     }
-  }
-  return best;
-}
-
-/// A frame for a stretch: the one of those before that covers it; with inertia also one that covers it but
-/// has to be turned, which still has its old direction; else a new one. A corner has but one ray, whose gap
-/// does not depend on where it stood before.
-template <int dim>
-Frame<dim> start_frame(const FrameScene<dim> &scene,
-                       const FrameStretch<dim> &stretch,
-                       const Frame<dim> &named,
-                       std::multimap<FrameKey<dim>, Frame<dim>> &before)
-{
-  auto old = nearest_before<dim>(stretch, key_of(named), keeps_direction, std::numeric_limits<double>::max(),
-                                 before);
-  if (old == before.end() && scene.instants.inertia() && named.corner == Frame<dim>::none)
-    old =
-        nearest_before<dim>(stretch, key_of(named), turns_direction, turns_within * scene.cell_size, before);
-  if (old != before.end())
-  {
-    Frame<dim> kept = std::move(old->second);
-    before.erase(old);
-    return kept;
-  }
-  Frame<dim> frame = named;
-  frame.rays.clear();
-  frame.home = scene.bodies[frame.body].home;
-  turn(frame, stretch.direction);
-  frame.origin = stretch.middle;
-  frame.spacing = spacing_in_cells<dim> * scene.cell_size;
-  return frame;
+  return result;
 }
 
 /// Rays of a frame that is new remember what has become of the material that they meet. @param before frames
 /// that have no successor
 template <int dim>
-void inherit_memory(const std::multimap<FrameKey<dim>, Frame<dim>> &before, Frame<dim> &frame)
+void inherit_memory(const FramesBefore<dim> &before, Frame<dim> &frame)
 {
   const auto [first, end] = before.equal_range(key_of(frame));
   for (typename Frame<dim>::RayPlace &ray : frame.rays)
@@ -184,9 +110,7 @@ bool turns(const FrameScene<dim> &scene, const Frame<dim> &frame, const FrameStr
 
 /// Finds the frames of some tasks. @param before frames of the step before that have no successor yet
 template <int dim>
-void find_here(const LookedAt<dim> &at,
-               std::multimap<FrameKey<dim>, Frame<dim>> &before,
-               const std::vector<FrameTask<dim> *> &tasks)
+void find_here(const LookedAt<dim> &at, FramesBefore<dim> &before, const std::vector<FrameTask<dim> *> &tasks)
 {
   parallel_for(tasks.size(), 4,
                [&](const std::size_t begin, const std::size_t end)
@@ -195,19 +119,8 @@ void find_here(const LookedAt<dim> &at,
                    look(at.scene, at.samples, at.lines, *tasks[i]);
                });
   for (FrameTask<dim> *const task : tasks)
-    for (const FrameStretch<dim> &stretch : task->stretches)
-    {
-      Frame<dim> named = task->named;
-      named.corner = stretch.corner;
-      if (stretch.corner != Frame<dim>::none)
-      {
-        named.rays.resize(1);
-        named.rays[0].place[stretch.corner] = (stretch.corner == 0 ? *task->partner : at.samples[named.body])
-                                                  .samples[stretch.facing.front()[stretch.corner]]
-                                                  .place;
-      }
-      task->found.push_back(start_frame(at.scene, stretch, named, before));
-    }
+    task->found =
+        start_frames(at.scene, task->stretches, named_frames(*task, at.samples[task->named.body]), before);
   const bool remembers = at.scene.adhesion != nullptr && at.scene.adhesion->remembers();
   parallel_for(tasks.size(), 4,
                [&](const std::size_t begin, const std::size_t end)
@@ -235,9 +148,7 @@ void find_here(const LookedAt<dim> &at,
 
 /// Finds the frames of all tasks, those of others' bodies by asking their owners.
 template <int dim>
-void find_in_tasks(const LookedAt<dim> &at,
-                   std::multimap<FrameKey<dim>, Frame<dim>> &before,
-                   std::vector<FrameTask<dim>> &tasks)
+void find_in_tasks(const LookedAt<dim> &at, FramesBefore<dim> &before, std::vector<FrameTask<dim>> &tasks)
 {
   const BodyShare *const share = at.scene.looking;
   std::vector<FrameTask<dim> *> here, elsewhere;
@@ -299,7 +210,7 @@ std::vector<ContactFrame<dim>> find_frames(const FrameScene<dim> &scene,
   std::uint64_t next_id = 1;
   for (const Frame<dim> &frame : frames)
     next_id = std::max(next_id, frame.id + 1);
-  std::multimap<FrameKey<dim>, Frame<dim>> before = by_key(scene, std::move(frames));
+  FramesBefore<dim> before = frames_before(scene, std::move(frames));
   std::vector<SampledSurface<dim>> samples(scene.bodies.size());
   parallel_for(samples.size(), 1,
                [&](const std::size_t begin, const std::size_t end)

@@ -52,6 +52,28 @@ SampledSurface<2>::Sample sample_of(const SurfacePlace<2> &place, const Pose<2> 
 /// Where a line goes straight on, up to about a degree, there is no corner.
 constexpr double straight_on = 0.9998;
 
+/// Whether @p second goes straight on where @p first ends, to rounding.
+bool goes_straight_on(const Curve &first, const Curve &second)
+{
+  constexpr double rounding = 1e-10;
+  if (first.course(0.).bend != 0. || second.course(0.).bend != 0.)
+    return false;
+  const Vector before = first.direction_at_end(), after = second.direction_at_begin();
+  return before * after > 0. && std::abs(before[0] * after[1] - before[1] * after[0]) < rounding;
+}
+
+/// Straight pieces that go on straight are one: rays then stand where they do on a line of one piece.
+std::vector<Curve> without_joints(const std::vector<Curve> &pieces)
+{
+  std::vector<Curve> joined;
+  for (const Curve &piece : pieces)
+    if (!joined.empty() && goes_straight_on(joined.back(), piece))
+      joined.back() = Curve::segment(joined.back().begin(), piece.end());
+    else
+      joined.push_back(piece);
+  return joined;
+}
+
 /// Whether piece @p k begins in a corner, or in an end of the line: what can be touched by itself. @param k
 /// may be the number of pieces: the end of the last one
 bool has_tip(const std::vector<Curve> &pieces, const std::size_t k)
@@ -113,10 +135,11 @@ private:
 
 LineSurface surface_of(const Obstacle<2> &obstacle)
 {
+  const std::vector<Curve> pieces = without_joints(obstacle.description.pieces);
   std::vector<char> tips;
-  for (std::size_t k = 0; k <= obstacle.description.pieces.size(); ++k)
-    tips.push_back(has_tip(obstacle.description.pieces, k));
-  return {obstacle.description.pieces, std::move(tips)};
+  for (std::size_t k = 0; k <= pieces.size(); ++k)
+    tips.push_back(has_tip(pieces, k));
+  return {pieces, std::move(tips)};
 }
 
 ObstacleLine::ObstacleLine(const Obstacle<2> &obstacle)

@@ -56,6 +56,7 @@ SpaceMotion SpaceModel::motion(const double dt) const
   {
     motion.walls.push_back(motion_of(wall, state.time, dt));
     motion.pressure.push_back(pressure_on(wall, state.time, dt));
+    motion.pressure_at_start.push_back(pressure_on(wall, state.time, 0.).value_or(0.));
   }
   for (const Obstacle<3> &obstacle : state.obstacles)
     motion.obstacles.push_back(obstacle.motion(state.time, dt));
@@ -65,6 +66,7 @@ SpaceMotion SpaceModel::motion(const double dt) const
 void SpaceModel::book_wall(const std::size_t w,
                            const SpaceMotion &motion,
                            const double dt,
+                           double &of_load,
                            std::vector<DrivenWork> &works)
 {
   Wall<3> &wall = driven[w];
@@ -80,7 +82,8 @@ void SpaceModel::book_wall(const std::size_t w,
     wall.travel += dt * wall.speed;
     wall.book.work += 0.5 * (before + state.wall_force[w]) * way;
   }
-  works.push_back({&wall.book.work, 0.5 * std::abs((state.wall_force[w] - before) * way)});
+  works.push_back(
+      {loaded ? &of_load : &wall.book.work, 0.5 * std::abs((state.wall_force[w] - before) * way)});
   wall.book.force = dealii::Tensor<1, 3>() - state.wall_force[w];
 }
 
@@ -98,13 +101,16 @@ void SpaceModel::follow_loads()
 void SpaceModel::book(const SpaceMotion &motion, const double dt)
 {
   std::vector<DrivenWork> works;
+  std::vector<double> of_loads(driven.size(), 0.); // what the mean lacks is part of their work already
   for (std::size_t w = 0; w < driven.size(); ++w)
-    book_wall(w, motion, dt, works);
+    book_wall(w, motion, dt, of_loads[w], works);
   follow_loads();
   if (!at_rest())
     return;
   book_obstacles(motion, works);
   state.losses.rubbed += give_kinks(state.kinks, works) * state.kinks.of_slides;
+  for (const double given : of_loads)
+    state.losses.regularisation -= given;
 }
 
 // From balance to balance; with inertia the step has told their work.

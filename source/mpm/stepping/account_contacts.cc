@@ -100,6 +100,7 @@ void ContactAccounts::book_means()
   partners.book_means(driven);
   if (const double share = give_kinks(step.kinks, driven); share > 0.)
     state.balance.contact_loss += share * step.kinks.of_slides;
+  state.balance.losses.add(loss::regularisation, partners.book_loads());
 }
 } // namespace
 

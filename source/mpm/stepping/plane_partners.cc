@@ -30,9 +30,13 @@ private:
 PlanePartners::PlanePartners(State &state, const Workspace &work, const FoundStep &step)
     : n_walls(state.walls.size())
 {
+  std::vector<dealii::Tensor<1, 2>> loads(n_walls); // a wall loses what it has felt when its book is begun
+  for (std::size_t w = 0; w < n_walls && step.balanced; ++w)
+    loads[w] = load_at(state.walls, w, state.time);
   for (std::size_t w = 0; w < n_walls; ++w)
-    numbered.push_back(std::make_unique<WallPartner>(
-        state.walls[w], WallRates{step.motion[w].rate, step.motion[w].slide}, step.plan.dt, step.balanced));
+    numbered.push_back(std::make_unique<WallPartner>(state.walls[w],
+                                                     WallRates{step.motion[w].rate, step.motion[w].slide},
+                                                     step.plan.dt, step.balanced, loads[w]));
   for (Obstacle<2> &obstacle : state.obstacles)
     numbered.push_back(std::make_unique<ObstaclePartner<2>>(obstacle, step.balanced));
   driven_bodies.resize(state.bodies.size());
@@ -55,6 +59,14 @@ void PlanePartners::book_means(std::vector<DrivenWork> &works) const
     numbered[n]->book_mean(works);
   for (std::size_t n = 0; n < n_walls; ++n)
     numbered[n]->book_mean(works);
+}
+
+double PlanePartners::book_loads() const
+{
+  double lost = 0.;
+  for (const std::unique_ptr<RigidPartner<2>> &partner : numbered)
+    lost += partner->book_load();
+  return lost;
 }
 
 std::string partner_in_words(const State &state, const unsigned int number, const unsigned int body)

@@ -31,6 +31,7 @@ public:
 private:
   void account_frame(unsigned int f, SpaceState &state) const;
   void account_loads(const Body<3> &body, SpaceState &state) const;
+  void account_pressures(const std::vector<dealii::Tensor<1, 3>> &force_before, SpaceState &state) const;
 
   SpaceEquations &of_space;
 };
@@ -72,6 +73,23 @@ void StepAtRest::account_frame(const unsigned int f, SpaceState &state) const
       state.losses.rubbed -= 0.5 * (frame.layout().rays[k].friction + rubbing[f][k]) * frame.ray(k).rub.slide;
 }
 
+// A load does all of its work as soon as it acts. What the bodies do not bear on the way is lost.
+void StepAtRest::account_pressures(const std::vector<dealii::Tensor<1, 3>> &force_before,
+                                   SpaceState &state) const
+{
+  for (unsigned int i = 0; i < pressed.size(); ++i)
+  {
+    const unsigned int w = pressed[i];
+    const double gone = system.ways[i].at,
+                 at_start = motion.pressure_at_start[w] * pressed_area(motion.walls, w),
+                 load = 0.5 * (at_start + system.ways[i].load),
+                 borne = 0.5 * (force_before[w] + state.wall_force[w]) * motion.walls[w].normal;
+    state.loaded[w].way += gone;
+    state.loaded[w].work += gone * load;
+    state.losses.regularisation += gone * (load - borne);
+  }
+}
+
 void StepAtRest::accept(SpaceState &state)
 {
   state.held_back.resize(way.size());
@@ -87,13 +105,7 @@ void StepAtRest::accept(SpaceState &state)
     account_frame(f, state);
   const std::vector<dealii::Tensor<1, 3>> before = state.wall_force;
   accept_ways(state);
-  for (unsigned int i = 0; i < pressed.size(); ++i)
-  {
-    const unsigned int w = pressed[i];
-    const double gone = system.ways[i].at;
-    state.loaded[w].way += gone;
-    state.loaded[w].work += 0.5 * gone * ((before[w] + state.wall_force[w]) * motion.walls[w].normal);
-  }
+  account_pressures(before, state);
 }
 } // namespace
 

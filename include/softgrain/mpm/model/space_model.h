@@ -26,8 +26,9 @@ namespace softgrain::mpm
  * moving, between flat walls and obstacles that are told how to move, with Coulomb's friction. Contacts are
  * met by rays, as in the plane.
  *
- * At rest works of walls are those of the mean of their forces at both ends of a step, and of what kinks of
- * contacts add; with inertia those of the force in the step.
+ * At rest works of walls that are told how to move are those of the mean of their forces at both ends of a
+ * step, and of what kinks of contacts add; loads work with all that they are. With inertia works are those of
+ * the force in the step.
  */
 class SpaceModel final : public Model<3>
 {
@@ -94,7 +95,9 @@ private:
   void note(const StepOutcome &outcome, StepReport &report) const;
   /// Books what walls and obstacles did in a step that has been accepted.
   void book(const SpaceMotion &motion, double dt);
-  void book_wall(std::size_t w, const SpaceMotion &motion, double dt, std::vector<DrivenWork> &works);
+  /// @param of_load gets what would be given to a load beside its own work [J]
+  void book_wall(
+      std::size_t w, const SpaceMotion &motion, double dt, double &of_load, std::vector<DrivenWork> &works);
   /// Takes over how far loads have moved walls, and what they have done.
   void follow_loads();
   void book_obstacles(const SpaceMotion &motion, std::vector<DrivenWork> &works);

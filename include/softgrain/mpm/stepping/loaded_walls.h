@@ -18,7 +18,8 @@ struct SpaceMotion
 {
   std::vector<WallMotion<3>> walls; ///< those under loads where they began, at rest
   std::vector<ObstacleMotion<3>> obstacles;
-  std::vector<std::optional<double>> pressure; ///< of walls under loads, towards the bodies [Pa]
+  std::vector<std::optional<double>> pressure; ///< of walls under loads, towards the bodies, at the end [Pa]
+  std::vector<double> pressure_at_start;       ///< the same, 0 without a load [Pa]
 
   /// All stands where a step of @p dt ends, but for walls under loads.
   SpaceMotion at_end(double dt) const;

@@ -22,6 +22,8 @@ public:
 
   /// Books, from balance to balance, what they did beside the work of the forces at the end.
   void book_means(std::vector<DrivenWork> &works) const;
+  /// Books what loads did, after book_means() and what that could not tell. @return what of it is lost [J/m]
+  double book_loads() const;
 
 private:
   using List = std::vector<std::unique_ptr<RigidPartner<2>>>;
