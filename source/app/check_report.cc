@@ -124,11 +124,11 @@ SizeReport scene_report(const Input &input)
 
 void print_left_out(std::ostream &out, const Input &input)
 {
-  for (const std::string &library : input.left_out())
+  for (const std::string &library : input.left_out().names)
     out << "library left out: " << library << '\n';
-  for (const std::string &name : input.unknown_names())
+  for (const std::string &name : input.left_out().unknown)
     out << "unknown without the libraries: " << name << '\n';
-  if (!input.unknown_names().empty())
+  if (!input.left_out().unknown.empty())
     out << "all else has the right form; sizes, and whether the parts of the scene fit together, are unknown "
            "without the libraries\n";
 }

@@ -320,7 +320,7 @@ bool CommandLine::run() const
         changes = input.check_restart(*state, state_file);
       });
   const std::optional<RunOutline> outline = outline_of(input);
-  const std::optional<Forecast> forecast = outline ? input.forecast(*outline) : std::nullopt;
+  const std::optional<Forecast> forecast = outline ? input.estimates().forecast(*outline) : std::nullopt;
   ranks.together([&]() { input.complete_scene(); });
   // A run that goes on has written its packing when it began.
   if (!restart)
@@ -355,14 +355,14 @@ void CommandLine::check() const
   Input &input = *read;
   if (n_ranks > 1)
     check_works_on_ranks(input, n_ranks);
-  if (!input.unknown_names().empty())
+  if (!input.left_out().unknown.empty())
   {
     if (Ranks().first())
       print_left_out(std::cout, input);
     return;
   }
   std::optional<RunOutline> outline = outline_of(input);
-  std::optional<Forecast> forecast = outline ? input.forecast(*outline) : std::nullopt;
+  std::optional<Forecast> forecast = outline ? input.estimates().forecast(*outline) : std::nullopt;
   std::optional<Trial> trial;
   if (trial_seconds > 0. && input.dimension() == 3)
     throw InputError(
@@ -376,7 +376,7 @@ void CommandLine::check() const
   if (input.dimension() == 3)
     model = input.create_model_in_space();
   else if (build || !forecast || forecast->is_soon_built())
-    model = input.model_to_look_at();
+    model = input.estimates().model();
   if (Ranks().first())
     print_check_report(std::cout, input, outline, forecast, model.get(), trial ? &*trial : nullptr, n_ranks);
 }

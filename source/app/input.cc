@@ -110,7 +110,7 @@ Input::Input(const std::string &file_name,
         if (libraries == Libraries::load)
           constitutive::load_libraries(named);
         else
-          libraries_left_out = named;
+          not_loaded.names = named;
         names = names_of(file, mistakes);
         model = model_of(file);
         dimension = dimension_of(file);
@@ -120,11 +120,11 @@ Input::Input(const std::string &file_name,
   declare_all_parameters(prm, model, names, dimension);
   if (dimension == 3)
     space.emplace();
-  file.apply(prm, mistakes, libraries_left_out.empty() ? nullptr : &unknown);
+  file.apply(prm, mistakes, not_loaded.names.empty() ? nullptr : &not_loaded.unknown);
   const std::unique_ptr<ModelFactory> factory = Registry<ModelFactory>::instance().create(model);
   parse_sections(names, *factory, mistakes);
   mistakes.end();
-  if (unknown.empty())
+  if (not_loaded.unknown.empty())
     check_all(*factory);
 }
 
@@ -218,78 +218,6 @@ void Input::apply_fidelity(const ModelFactory &factory)
   }
 }
 
-double Input::solid_area(const Crowd &bodies)
-{
-  return Registry<ModelFactory>::instance()
-      .create(run_parameters.model)
-      ->solid_area(described_scene, prm, bodies);
-}
-
-namespace
-{
-/// Gives some parameters other values while it lives.
-class WithValues
-{
-public:
-  WithValues(dealii::ParameterHandler &prm, const ParameterValues &values) : prm(prm)
-  {
-    for (const auto &[name, value] : values)
-      before.emplace_back(name, set(name, value));
-  }
-  ~WithValues()
-  {
-    for (const auto &[name, value] : before)
-      set(name, value);
-  }
-  WithValues(const WithValues &) = delete;
-  WithValues &operator=(const WithValues &) = delete;
-
-private:
-  /// @return what stood there
-  std::string set(const std::string &name, const std::string &value)
-  {
-    const auto slash = name.find('/');
-    const std::string key = name.substr(slash + 1);
-    prm.enter_subsection(name.substr(0, slash));
-    const std::string old = prm.get(key);
-    prm.set(key, value);
-    prm.leave_subsection();
-    return old;
-  }
-
-  dealii::ParameterHandler &prm;
-  ParameterValues before;
-};
-} // namespace
-
-ParameterValues Input::coarser(const double factor)
-{
-  const std::optional<Crowd> bodies = crowd();
-  return bodies
-             ? Registry<ModelFactory>::instance().create(run_parameters.model)->coarser(prm, *bodies, factor)
-             : ParameterValues();
-}
-
-std::optional<Forecast> Input::forecast(const RunOutline &run, const ParameterValues &changes)
-{
-  const WithValues changed(prm, changes);
-  try
-  {
-    const std::unique_ptr<ModelFactory> factory =
-        Registry<ModelFactory>::instance().create(run_parameters.model);
-    std::optional<Forecast> forecast = factory->forecast(described_scene, prm, run);
-    if (forecast)
-      for (const std::string &line :
-           unused_law_subsections(parameter_tree(prm), described_scene.materials, factory->laws()))
-        forecast->warnings.push_back(line);
-    return forecast;
-  }
-  catch (const InputError &error)
-  {
-    throw_located(error);
-  }
-}
-
 double Input::end_time() const
 {
   const double of_stages = described_stages.end_time(), of_run = stop_conditions.end_time();
@@ -351,22 +279,6 @@ std::unique_ptr<Model<3>> Input::create_model_in_space()
   try
   {
     return Registry<ModelFactory>::instance().create(run_parameters.model)->create_in_space(*space, prm);
-  }
-  catch (const InputError &error)
-  {
-    throw_located(error);
-  }
-}
-
-std::unique_ptr<Model<2>> Input::model_to_look_at(const ParameterValues &changes)
-{
-  complete_scene();
-  const WithValues changed(prm, changes);
-  try
-  {
-    return Registry<ModelFactory>::instance()
-        .create(run_parameters.model)
-        ->create_to_look(described_scene, prm);
   }
   catch (const InputError &error)
   {

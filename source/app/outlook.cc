@@ -162,7 +162,7 @@ std::optional<RunOutline> outline_of(Input &input)
   RunOutline outline;
   outline.crowd = *crowd;
   outline.to_pack = input.scene().packing.method != nullptr;
-  WallsAlone model(input.scene(), input.solid_area(outline.crowd));
+  WallsAlone model(input.scene(), input.estimates().solid_area(outline.crowd));
   const std::vector<WallState<2>> start = model.walls();
   StagePath<2> path(input.stages(), model, input.scene().loads);
   path.begin();

@@ -149,11 +149,11 @@ ParameterValues choose(Input &input, const RunOutline &outline, const double slo
   ParameterValues chosen;
   for (const double factor : {1., 1.25, 1.5, 2., 2.5, 3., 4.})
   {
-    const ParameterValues changes = factor > 1. ? input.coarser(factor) : ParameterValues();
+    const ParameterValues changes = factor > 1. ? input.estimates().coarser(factor) : ParameterValues();
     if (factor > 1. && (changes.empty() || changes == chosen))
       break;
     chosen = changes;
-    const std::optional<Forecast> forecast = input.forecast(outline, chosen);
+    const std::optional<Forecast> forecast = input.estimates().forecast(outline, chosen);
     if (forecast && forecast->n_steps > 0. && slowness * forecast->seconds() < share * seconds)
       break;
   }
@@ -236,7 +236,7 @@ void make(Trial &trial, Input &input, const RunOutline &outline, const double mo
   try
   {
     const double begin = processor_seconds();
-    const std::unique_ptr<Model<2>> model = input.model_to_look_at(trial.coarser);
+    const std::unique_ptr<Model<2>> model = input.estimates().model(trial.coarser);
     trial.preparation = processor_seconds() - begin;
     go(trial, input, outline, *model, most_seconds);
   }
@@ -283,7 +283,7 @@ Trial try_out(Input &input,
   outline = outline_of(input);
   if (outline)
     outline->to_pack = false;
-  forecast = outline ? input.forecast(*outline) : std::nullopt;
+  forecast = outline ? input.estimates().forecast(*outline) : std::nullopt;
   if (!forecast)
     throw InputError("'--try': what this scene takes cannot be judged");
   trial.coarser = choose(input, *outline, slowness_of_machine(), seconds);
@@ -313,7 +313,7 @@ Trial try_out(Input &input,
     if (trial.fraction >= 1.)
       duration = trial.time;
   }
-  *forecast = learned_from(trial, *forecast, *input.forecast(*outline, trial.coarser));
+  *forecast = learned_from(trial, *forecast, *input.estimates().forecast(*outline, trial.coarser));
   if (outline->duration == 0. && duration > 0.)
     outline->duration = duration;
   return trial;

@@ -58,7 +58,7 @@ bool warns(Changes changes)
   changes.insert(changes.begin(), "Output directory=results");
   Input input("scene.prm", changes);
   const std::optional<RunOutline> outline = outline_of(input);
-  const std::optional<Forecast> forecast = input.forecast(*outline);
+  const std::optional<Forecast> forecast = input.estimates().forecast(*outline);
   for (const std::string &warning : forecast->warnings)
     if (warning.find("Rolling resistance") != std::string::npos)
       return true;

@@ -225,7 +225,7 @@ class HalfStep(Relation):
     def ask(self, case):
         runs, places = [case.base], []
         for name, share in (("half", 0.5), ("quarter", 0.25)):
-            runs.append(case.run(with_step(case.scene, share), name))
+            runs.append(case.run(with_step(case.scene, share), name, limit=int(case.program.limit / share)))
             if runs[-1].code != case.base.code:
                 return Verdict(self.name, "fails", "ends differently", f"{name}: {runs[-1].message[-200:]}")
             found = difference(case.scene, runs[-2], runs[-1])
@@ -244,7 +244,10 @@ class HalfStep(Relation):
         return Verdict(self.name, "fails", "does not converge", f"{seen} ({found.where})")
 
     def falls(self, places):
-        return places[-1] <= self.shrinks * min(places[0], places[-2]) and (len(places) == 2 or places[-1] < self.lost)
+        """Below the first and the last but one; or three times in a row, where the first was small by chance."""
+        shrinks = [after <= self.shrinks * before for before, after in zip(places, places[1:])]
+        return (places[-1] <= self.shrinks * min(places[0], places[-2]) or (len(places) > 3 and all(shrinks[-3:]))) and \
+            (len(places) == 2 or places[-1] < self.lost)
 
     def halve_on(self, case, run, places):
         """Adds differences with still shorter steps, up to the first that falls; a run that does not end ends this."""

@@ -2,9 +2,9 @@
 #ifndef softgrain_app_input_h
 #define softgrain_app_input_h
 
+#include <softgrain/app/input_estimates.h>
 #include <softgrain/app/run_parameters.h>
 #include <softgrain/driving/stages.h>
-#include <softgrain/model/forecast.h>
 #include <softgrain/model/model_factory.h>
 #include <softgrain/packing/packing.h>
 #include <softgrain/parameters/parameter_file.h>
@@ -34,7 +34,7 @@ public:
   enum class Libraries
   {
     load,
-    leave_out ///< what they would have declared is unknown, see unknown_names()
+    leave_out ///< what they would have declared is unknown, see left_out()
   };
 
   /**
@@ -46,12 +46,15 @@ public:
         const std::vector<std::string> &assignments,
         Libraries libraries = Libraries::load);
 
-  /// The libraries that were left out.
-  const std::vector<std::string> &left_out() const { return libraries_left_out; }
-
-  /// "FILE:LINE: 'Section/Key' = 'value'" of all that nothing but a library that was left out can know. If
-  /// there is any, the scene has not been checked, and nothing can be asked but run().
-  const std::vector<std::string> &unknown_names() const { return unknown; }
+  /// What the file asks for and nobody has loaded.
+  struct NotLoaded
+  {
+    std::vector<std::string> names; ///< of libraries
+    /// "FILE:LINE: 'Section/Key' = 'value'" of all that nothing but such a library can know. If there is any,
+    /// the scene has not been checked, and nothing can be asked but run().
+    std::vector<std::string> unknown;
+  };
+  const NotLoaded &left_out() const { return not_loaded; }
 
   const RunParameters &run() const { return run_parameters; }
   /// 2 or 3.
@@ -73,15 +76,8 @@ public:
   /// The bodies of the scene, made or expected; nothing when the packing cannot say.
   std::optional<Crowd> crowd() const { return crowd_of(described_scene, is_complete); }
 
-  /// Area that the bodies fill at the start, made or expected [m^2].
-  double solid_area(const Crowd &bodies);
-
-  /// Size and cost of the run; nothing when model or packing cannot say.
-  /// @param changes of parameters of the model, for this answer alone
-  std::optional<Forecast> forecast(const RunOutline &run, const ParameterValues &changes = {});
-
-  /// What makes the run coarser by @p factor, or as coarse as it may be; nothing when it cannot be.
-  ParameterValues coarser(double factor);
+  /// How large the run is, what it costs, what makes it coarser.
+  InputEstimates estimates() { return InputEstimates(*this); }
 
   /// Makes the packing of the scene, once, on all threads. @throw InputError when it cannot be made, or its
   /// bodies do not suit walls and other bodies.
@@ -97,10 +93,6 @@ public:
   /// The model of a scene in space, which is completed first.
   std::unique_ptr<Model<3>> create_model_in_space();
 
-  /// Makes a model to look at, which writes no file.
-  /// @param changes of parameters of the model, for this one alone
-  std::unique_ptr<Model<2>> model_to_look_at(const ParameterValues &changes = {});
-
   /**
    * @brief Compares with the checkpoint that the run is to go on from.
    * @return a line for each parameter that is another now and may be
@@ -112,6 +104,8 @@ public:
   std::string effective_parameters() const;
 
 private:
+  friend class InputEstimates;
+
   Input(const std::string &file_name,
         const std::vector<std::string> &assignments,
         Libraries libraries,
@@ -140,7 +134,7 @@ private:
   Packing<2> packing; ///< once it is made
   Packing<3> packing_in_space;
   bool is_complete = false;
-  std::vector<std::string> libraries_left_out, unknown;
+  NotLoaded not_loaded;
 };
 
 /// Declares everything a parameter file of @p model may contain, for bodies, walls and materials of these
