@@ -60,7 +60,7 @@ int main()
   for (const bool balanced : {false, true})
   {
     Wall<2> wall = plate(told);
-    WallPartner of_wall(wall, {2., 0.}, dt, balanced);
+    WallPartner of_wall(wall, {2., 0.}, dt, balanced, {});
     const double more_of_wall = push(of_wall, balanced);
     Obstacle<2> obstacle = line();
     ObstaclePartner<2> of_obstacle(obstacle, balanced);
@@ -70,6 +70,14 @@ int main()
               << wall.book.work << ", " << obstacle.work << ", could be more by " << more_of_wall << ", "
               << more_of_obstacle << '\n';
   }
+
+  Wall<2> loaded = plate(pressed);
+  loaded.free.across.force = 40.;
+  WallPartner of_loaded(loaded, {2., 0.}, dt, true, 40. * loaded.normal());
+  push(of_loaded, true);
+  const double mean = loaded.book.work, lost = of_loaded.book_load();
+  std::cout << "a load of 40 over a way of 0.2: work " << loaded.book.work << ", bodies get " << mean
+            << ", lost " << lost << '\n';
 
   const PartnerNumbers numbers(4);
   std::cout << "wall 3 is " << (numbers.is_obstacle(3) ? "an obstacle" : "none") << ", obstacle 2 has number "
