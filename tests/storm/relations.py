@@ -252,7 +252,7 @@ class HalfStep(Relation):
     def halve_on(self, case, run, places):
         """Adds differences with still shorter steps, up to the first that falls; a run that does not end ends this."""
         for n, name in enumerate(("eighth", "sixteenth", "thirty-second"), 3):
-            shorter = case.run(with_step(case.scene, 0.5**n), name, limit=2 * 2**n)
+            shorter = case.run(with_step(case.scene, 0.5**n), name, limit=int(case.program.limit * 2**n))
             if shorter.code != case.base.code:
                 return
             places.append(difference(case.scene, run, shorter).place)

@@ -56,7 +56,9 @@ SpaceMotion SpaceModel::motion(const double dt) const
   {
     motion.walls.push_back(motion_of(wall, state.time, dt));
     motion.pressure.push_back(pressure_on(wall, state.time, dt));
-    motion.pressure_at_start.push_back(pressure_on(wall, state.time, 0.).value_or(0.));
+    // Steps that are held end what the one before them began.
+    const double begin = dt > 0. ? state.time : std::max(state.time - last_dt, wall.driven_since.time);
+    motion.pressure_at_start.push_back(pressure_on(wall, begin, 0.).value_or(0.));
   }
   for (const Obstacle<3> &obstacle : state.obstacles)
     motion.obstacles.push_back(obstacle.motion(state.time, dt));

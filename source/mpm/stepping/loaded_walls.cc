@@ -31,8 +31,6 @@ SpaceMotion SpaceMotion::at_end(const double dt) const
     wall.point += dt * wall.velocity * wall.normal;
     wall.velocity = wall.slide = 0.;
   }
-  for (std::size_t w = 0; w < pressure.size(); ++w)
-    end.pressure_at_start[w] = pressure[w].value_or(0.);
   for (ObstacleMotion<3> &obstacle : end.obstacles)
     obstacle = obstacle.at_end();
   return end;
