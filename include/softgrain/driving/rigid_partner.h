@@ -47,11 +47,11 @@ public:
   virtual void take(const PartnerImpulse<dim> &impulse) = 0;
 
   /// Ends a step from balance to balance, when all is felt: books the work of the mean of the forces at both
-  /// ends, and adds to @p works what more it could have done.
+  /// ends, and adds to @p works by how much that may be wrong.
   virtual void book_mean(std::vector<DrivenWork> &works) = 0;
 
-  /// Books what the load on it did beside that, once what it could have done is known.
-  /// @return what of that no body got [J/m^(3-dim)]
+  /// Books the rest of the work of its load, after @p works of book_mean() have got their shares.
+  /// @return the part of it that no body gets [J/m^(3-dim)]
   virtual double book_load() { return 0.; }
 };
 } // namespace softgrain

@@ -5,6 +5,7 @@
 #include <softgrain/driving/rigid_partner.h>
 #include <softgrain/driving/wall_freedom.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace softgrain
@@ -13,14 +14,25 @@ namespace softgrain
 /// a step from balance to balance, where loads are in balance with contacts
 dealii::Tensor<1, 2> working_velocity(const Wall<2> &wall, bool balanced);
 
-/// What loads on wall @p w as its drive asks for it at a time [N/m]; nothing where it is told how to go.
+/// Time at which the load of a step begins [s]. A held step completes the step before it, so its load begins
+/// with that one, but not before the wall got its drive.
+/// @param held length of a held step, 0 of another one [s]
+template <int dim>
+double begin_of_load(const Wall<dim> &wall, const double time, const double held)
+{
+  return std::max(time - held, wall.driven_since.time);
+}
+
+/// The load that the drive of wall @p w asks for at a time [N/m]; it has no part along directions in which
+/// the wall is told how to go.
 dealii::Tensor<1, 2> load_at(const std::vector<Wall<2>> &walls, std::size_t w, double time);
 
 /**
  * @brief A wall of the plane in the books of a step.
  *
- * A load does all of its work as soon as it acts, whatever the bodies bear: they push back with less before
- * the first step that meets it, and in steps that are held on the way to balance.
+ * From balance to balance the work of a load is its mean over the step times the way of the wall. The bodies
+ * may push back with less: when the load has just begun to act, and in held steps on the way to balance. What
+ * they do not get is lost.
  */
 class WallPartner : public RigidPartner<2>
 {
@@ -44,7 +56,7 @@ private:
   const dealii::Tensor<1, 2> force_before, load_before; ///< of bodies, and from outside [N/m]
   const double dt;                                      ///< [s]
   const bool balanced;
-  double beside_mean = 0.; ///< what it could have done more than its mean, where it is free [J/m]
+  double beside_mean = 0.; ///< what bodies get beside the work of the mean force, if the wall is free [J/m]
 };
 } // namespace softgrain
 

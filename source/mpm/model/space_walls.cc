@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // How walls and obstacles in space move, and what they do.
 #include <softgrain/driving/obstacle_partner.h>
+#include <softgrain/driving/wall_partner.h>
 #include <softgrain/mpm/model/space_model.h>
 #include <softgrain/scene/wall_drive.h>
 
@@ -56,8 +57,7 @@ SpaceMotion SpaceModel::motion(const double dt) const
   {
     motion.walls.push_back(motion_of(wall, state.time, dt));
     motion.pressure.push_back(pressure_on(wall, state.time, dt));
-    // Steps that are held end what the one before them began.
-    const double begin = dt > 0. ? state.time : std::max(state.time - last_dt, wall.driven_since.time);
+    const double begin = begin_of_load(wall, state.time, dt > 0. ? 0. : last_dt);
     motion.pressure_at_start.push_back(pressure_on(wall, begin, 0.).value_or(0.));
   }
   for (const Obstacle<3> &obstacle : state.obstacles)

@@ -4,8 +4,6 @@
 #include <softgrain/driving/wall_partner.h>
 #include <softgrain/mpm/stepping/plane_partners.h>
 
-#include <algorithm>
-
 namespace softgrain::mpm
 {
 namespace
@@ -29,22 +27,13 @@ private:
 };
 } // namespace
 
-namespace
-{
-/// When the load began to change to what it is in a step: steps that are held end what the one before them
-/// began. @param wall it acts on
-double begin_of_load(const Wall<2> &wall, const State &state, const StepPlan &plan)
-{
-  return plan.held ? std::max(state.time - plan.dt, wall.driven_since.time) : state.time;
-}
-} // namespace
-
 PlanePartners::PlanePartners(State &state, const Workspace &work, const FoundStep &step)
     : n_walls(state.walls.size())
 {
+  const double held = step.plan.held ? step.plan.dt : 0.;
   std::vector<dealii::Tensor<1, 2>> loads(n_walls); // a wall loses what it has felt when its book is begun
   for (std::size_t w = 0; w < n_walls && step.balanced; ++w)
-    loads[w] = load_at(state.walls, w, begin_of_load(state.walls[w], state, step.plan));
+    loads[w] = load_at(state.walls, w, begin_of_load(state.walls[w], state.time, held));
   for (std::size_t w = 0; w < n_walls; ++w)
     numbered.push_back(std::make_unique<WallPartner>(state.walls[w],
                                                      WallRates{step.motion[w].rate, step.motion[w].slide},

@@ -27,8 +27,8 @@ namespace softgrain::mpm
  * met by rays, as in the plane.
  *
  * At rest works of walls that are told how to move are those of the mean of their forces at both ends of a
- * step, and of what kinks of contacts add; loads work with all that they are. With inertia works are those of
- * the force in the step.
+ * step, and of what kinks of contacts add; a load works with its mean over the step. With inertia works are
+ * those of the force in the step.
  */
 class SpaceModel final : public Model<3>
 {
@@ -95,7 +95,7 @@ private:
   void note(const StepOutcome &outcome, StepReport &report) const;
   /// Books what walls and obstacles did in a step that has been accepted.
   void book(const SpaceMotion &motion, double dt);
-  /// @param of_load gets what would be given to a load beside its own work [J]
+  /// @param of_load gets what bodies get of a load beside the work of its mean force [J]
   void book_wall(
       std::size_t w, const SpaceMotion &motion, double dt, double &of_load, std::vector<DrivenWork> &works);
   /// Takes over how far loads have moved walls, and what they have done.

@@ -22,7 +22,7 @@ public:
 
   /// Books, from balance to balance, what they did beside the work of the forces at the end.
   void book_means(std::vector<DrivenWork> &works) const;
-  /// Books what loads did, after book_means() and what that could not tell. @return what of it is lost [J/m]
+  /// Books the rest of the work of loads, see RigidPartner::book_load(). @return what of it is lost [J/m]
   double book_loads() const;
 
 private:
