@@ -192,8 +192,7 @@ void Dynamics::let_go(const double dt,
   const std::array<double, 2> &v = bodies.velocity[primaries.size() + w];
   const dealii::Tensor<1, 2> way = way_of(wall, direction);
   const double before = speed_of(wall, direction), mass = load_on(wall, direction).mass;
-  const double after = is_side_of_cell(wall) ? free_step(wall, direction, dt, 1., push).free_speed
-                                             : v[0] * way[0] + v[1] * way[1];
+  const double after = v[0] * way[0] + v[1] * way[1];
   // The damping took what neither the load nor the primaries gave.
   const double load = dt * load_on(wall, direction).force, damping = mass * (before - after) + load + push;
   book(load * 0.5 * (before + after), wall, report);
@@ -214,22 +213,21 @@ void Dynamics::move_walls(const double dt, std::vector<Wall<2>> &walls, Dynamics
       tangential_impulse[rows.b[row] - n] += rows.tangential_impulse[row];
   }
   if (cell)
-    load_cell(dt, walls);
+    load_cell(dt, walls, normal_impulse);
   if (share)
     tell_of_walls(normal_impulse, tangential_impulse);
+  for_met(walls,
+          [&](Wall<2> &wall, const std::size_t w)
+          {
+            wall.book.force = 0.;
+            const dealii::Tensor<1, 2> given =
+                normal_impulse[w] * wall.normal() - tangential_impulse[w] * wall.tangent();
+            wall.book.give(given, dt);
+            report.wall_impulse += given;
+          });
   for (std::size_t w = 0; w < walls.size(); ++w)
   {
     Wall<2> &wall = walls[w];
-    if (is_side_of_cell(wall))
-      normal_impulse[w] = -dt * (wall.book.force * wall.normal());
-    else
-    {
-      wall.book.force = 0.;
-      const dealii::Tensor<1, 2> given =
-          normal_impulse[w] * wall.normal() - tangential_impulse[w] * wall.tangent();
-      wall.book.give(given, dt);
-      report.wall_impulse += given;
-    }
     const double along = wall.book.force * wall.tangent();
     if (is_free(wall, Freedom::along))
       let_go(dt, w, Freedom::along, dt * along, wall, report);

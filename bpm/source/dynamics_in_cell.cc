@@ -79,7 +79,7 @@ void Dynamics::prepare_cell(const double dt, const std::vector<Wall<2>> &walls)
       bodies.cell.gradient[k][l] = cell->gradient[k][l];
 }
 
-void Dynamics::load_cell(const double dt, std::vector<Wall<2>> &walls) const
+void Dynamics::load_cell(const double dt, std::vector<Wall<2>> &walls, std::vector<double> &impulse)
 {
   dealii::Tensor<2, 2> virial;
   for (std::size_t row = 0; row < rows.size(); ++row)
@@ -93,6 +93,19 @@ void Dynamics::load_cell(const double dt, std::vector<Wall<2>> &walls) const
         virial[k][l] += force[k] * r[l];
   }
   load_sides(walls, cell->cell, virial);
+  for_sides(walls,
+            [&](const Wall<2> &side, const std::size_t w)
+            {
+              impulse[w] = -dt * (side.book.force * side.normal());
+              dealii::Tensor<1, 2> velocity;
+              for (const Freedom direction : freedoms_of(side))
+                velocity +=
+                    free_step(side, direction, dt, 1., dt * (side.book.force * way_of(side, direction)))
+                        .free_speed *
+                    way_of(side, direction);
+              for (unsigned int d = 0; d < 2; ++d)
+                bodies.velocity[primaries.size() + w][d] = velocity[d];
+            });
 }
 
 void Dynamics::take_along(const double dt, std::vector<Wall<2>> &walls, DynamicsReport &report)

@@ -25,7 +25,7 @@ ASKED = re.compile(r"\b(?:ends_in_balance|solves_equations)\(\)")
 KINDS = re.compile(r"\b(?:slides_freely|is_side_of_cell|prescribed)\(|\bwall\w*(?:\[\w+\])?(?:\.|->)repeats\(\)|\bno_body\b|"
                    r"\b(?:\w*row|rows\[\w+\])\.obstacle\b|\bwall (?:-|>=|<) (?:\w+\.)?(?:n_)?walls\b")
 ROOMS = re.compile(r"(?:source|include/softgrain)/(?:driving|scene)/|/plane_partners\.|/row_velocity\.cc|/(?:wall|obstacle)_rows\.cc")
-OF_PARTNERS = re.compile(r"\bis_free\((?:\w+\.)*(?:wall|side)|\b(?:freedoms_of|is_plane|any_sides|for_sides|ahead_of|told_rates|expected_rates)\(|\bPartnerNumbers\(")
+OF_PARTNERS = re.compile(r"\bis_free\((?:\w+\.)*(?:wall|side)|\b(?:freedoms_of|is_plane|is_met|any_sides|for_sides|for_met|for_slabs|length_across|ahead_of|told_rates|expected_rates)\(|\bPartnerNumbers\(")
 
 
 def code(text):

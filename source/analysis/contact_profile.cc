@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/analysis/contact_profile.h>
+#include <softgrain/analysis/partner_numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -101,9 +102,9 @@ hertz_half_width(const Snapshot<2> &snapshot, const Contact &contact, const doub
     return body.curvature > 0.;
   };
   const bool at_wall = contact.wall != Contact::not_a_body;
-  // An obstacle may be bent.
-  if ((at_wall && contact.wall >= snapshot.walls.size()) || !add(contact.body_a) ||
-      (!at_wall && !add(contact.body_b)) || force <= 0. || compliance <= 0.)
+  const bool may_be_bent = PartnerNumbers(snapshot.walls.size()).is_obstacle(contact.wall);
+  if (may_be_bent || !add(contact.body_a) || (!at_wall && !add(contact.body_b)) || force <= 0. ||
+      compliance <= 0.)
     return {};
   return std::sqrt(4. * force * compliance / (M_PI * curvature));
 }

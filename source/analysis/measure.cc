@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/analysis/measure.h>
+#include <softgrain/analysis/partner_numbers.h>
 #include <softgrain/base/exceptions.h>
 
 #include <algorithm>
@@ -21,10 +22,11 @@ void check(const Snapshot<dim> &snapshot)
       throw ComputationError("body '" + body.name + "' has no outline or no area at t = " +
                              std::to_string(snapshot.time) + " s: nothing can be measured");
   constexpr unsigned int none = ContactState<dim>::not_a_body;
+  const PartnerNumbers rigid(snapshot.walls.size());
   for (const ContactState<dim> &contact : snapshot.contacts)
     if (contact.body_a >= snapshot.bodies.size() ||
         (contact.wall == none ? contact.body_b >= snapshot.bodies.size()
-                              : contact.wall >= snapshot.walls.size() + snapshot.obstacles.size()))
+                              : !rigid.is_one(contact.wall, snapshot.obstacles.size())))
       throw ComputationError("a contact at t = " + std::to_string(snapshot.time) +
                              " s names a body or wall that is not there");
 }

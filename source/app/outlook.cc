@@ -82,8 +82,7 @@ private:
   void give_way(const double area_before)
   {
     const std::optional<Box<2>> box = box_of(walls());
-    const auto yields = [](const Wall<2> &wall)
-    { return is_free(wall, Freedom::across) && !is_side_of_cell(wall); };
+    const auto yields = [](const Wall<2> &wall) { return is_free(wall, Freedom::across) && is_met(wall); };
     const unsigned int n = std::count_if(moving.begin(), moving.end(), yields);
     const double lost = box ? area_before - box->volume() : 0.;
     for (std::size_t w = 0; w < moving.size() && lost != 0.; ++w)

@@ -27,6 +27,11 @@ PeriodicCell<2> cell_of(const std::vector<Wall<2>> &walls)
   return make_cell(sides, offset);
 }
 
+double length_across(const std::vector<Wall<2>> &walls, const std::size_t w)
+{
+  return is_side_of_cell(walls[w]) ? cell_of(walls).length[axis_of(walls[w].normal())] : 0.;
+}
+
 void load_sides(std::vector<Wall<2>> &walls, const PeriodicCell<2> &cell, const dealii::Tensor<2, 2> &virial)
 {
   for_sides(walls, [&](Wall<2> &side)

@@ -6,11 +6,6 @@
 
 namespace softgrain
 {
-bool is_free(const Wall<2> &wall, const Freedom direction)
-{
-  return direction == Freedom::along ? slides_freely(wall) : !wall.prescribed();
-}
-
 bool is_free(const Wall<2> &wall)
 {
   return is_free(wall, Freedom::along) || is_free(wall, Freedom::across);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Walls and obstacles as rigid partners: what they feel and book of an impulse in a step whose impulses do
 // work and in one from balance to balance, by which numbers they go, and how walls answer in both directions.
+#include <softgrain/analysis/partner_numbers.h>
 #include <softgrain/driving/obstacle_partner.h>
-#include <softgrain/driving/partner_numbers.h>
 #include <softgrain/driving/wall_partner.h>
 
 #include <cmath>

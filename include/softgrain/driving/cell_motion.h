@@ -43,6 +43,9 @@ struct CellMotion
 /// The cell between the walls that are sides of one; it does not repeat when there are none.
 PeriodicCell<2> cell_of(const std::vector<Wall<2>> &walls);
 
+/// Length of the cell across wall @p w; 0 where that is no side of one [m].
+double length_across(const std::vector<Wall<2>> &walls, std::size_t w);
+
 /// Puts the forces through its sides on them. @param virial sum over contacts of the force on a body times
 /// the branch vector to its centre from that of its partner [N]
 void load_sides(std::vector<Wall<2>> &walls, const PeriodicCell<2> &cell, const dealii::Tensor<2, 2> &virial);

@@ -4,6 +4,8 @@
 
 #include <softgrain/driving/wall.h>
 
+#include <cstddef>
+#include <type_traits>
 #include <vector>
 
 /// @file
@@ -20,7 +22,16 @@ enum class Freedom
 };
 
 /// Whether loads and contacts say how a wall moves in a direction; else its drive does.
-bool is_free(const Wall<2> &wall, Freedom direction);
+template <int dim>
+bool is_free(const WallDescription<dim> &wall, const Freedom direction)
+{
+  return direction == Freedom::along ? wall.drive->shears() : !wall.drive->prescribed();
+}
+template <int dim>
+bool is_free(const Wall<dim> &wall, const Freedom direction)
+{
+  return is_free(wall.description, direction);
+}
 /// Whether that is so in any direction.
 bool is_free(const Wall<2> &wall);
 /// The directions in which a wall is free, the tangent first.
@@ -70,16 +81,46 @@ WallRates told_rates(const Wall<2> &wall, double time, double dt);
 /// What its drive tells it; where it is free, as it goes now.
 WallRates expected_rates(const Wall<2> &wall, double time, double dt);
 
+/// Whether bodies meet it; through a side of a cell that repeats they go.
+template <int dim>
+bool is_met(const Wall<dim> &wall)
+{
+  return !is_side_of_cell(wall);
+}
+
 /// Whether bodies meet its plane itself: it is neither made of material points nor a side of a cell.
 bool is_plane(const Wall<2> &wall);
 
-/// Calls work(wall) for the walls that are sides of a cell that repeats.
+/// Calls work(wall), or work(wall, number), for the walls that are sides of a cell that repeats.
 template <class Walls, class Work>
 void for_sides(Walls &walls, const Work &work)
 {
-  for (auto &wall : walls)
-    if (is_side_of_cell(wall))
-      work(wall);
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    if (is_side_of_cell(walls[w]))
+    {
+      if constexpr (std::is_invocable_v<const Work &, decltype(walls[w]), std::size_t>)
+        work(walls[w], w);
+      else
+        work(walls[w]);
+    }
+}
+
+/// Calls work(wall, number) for the walls that bodies meet.
+template <class Walls, class Work>
+void for_met(Walls &walls, const Work &work)
+{
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    if (is_met(walls[w]))
+      work(walls[w], w);
+}
+
+/// Calls work(number, body) for the walls that are made of material points.
+template <class Work>
+void for_slabs(const std::vector<Wall<2>> &walls, const Work &work)
+{
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    if (walls[w].body != Wall<2>::no_body)
+      work(w, walls[w].body);
 }
 
 /// Whether there are such walls.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/analysis/partner_numbers.h>
 #include <softgrain/base/parallel.h>
-#include <softgrain/driving/partner_numbers.h>
 #include <softgrain/model/state_file.h>
 #include <softgrain/mpm/contact/frame_memory.h>
 #include <softgrain/mpm/contact/obstacle_line.h>

@@ -15,7 +15,7 @@ void FreeWalls<dim>::reinit(const std::vector<ContactRow<dim>> &rows, const unsi
   for (unsigned int k = 0; k < list.size(); ++k)
   {
     for (unsigned int r = 0; r < rows.size(); ++r)
-      if (list[k].length > 0.)
+      if (list[k].is_side())
         // The cell closes on all that is in it, in proportion.
         for (unsigned int c = 0; c < components; ++c)
         {

@@ -31,8 +31,8 @@ double way_of_partner(const ContactRow<2> &row,
                       const unsigned int component,
                       const double dt)
 {
-  if (row.obstacle)
-    return dt * row.partner_velocity * direction_of(row, component);
+  if (row.velocity_of_place)
+    return dt * *row.velocity_of_place * direction_of(row, component);
   // Slabs that are driven move in relative_velocity() already.
   const bool plane = row.partner == ContactRow<2>::none;
   return plane && component == 0 ? dt * motion[row.wall].velocity : 0.;
@@ -44,8 +44,8 @@ double parting_at_work(const ContactRow<2> &row,
                        double relative)
 {
   const dealii::Tensor<1, 2> direction = direction_of(row, component);
-  if (row.obstacle)
-    return relative - row.partner_velocity * direction;
+  if (row.velocity_of_place)
+    return relative - *row.velocity_of_place * direction;
   if (row.wall == ContactRow<2>::none)
     return relative;
   // Slabs move in relative_velocity() already, planes do not.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/expression.h>
+#include <softgrain/driving/wall_freedom.h>
 #include <softgrain/geometry/shape.h>
 #include <softgrain/geometry/solid.h>
 #include <softgrain/mpm/model/capabilities.h>
@@ -64,7 +65,7 @@ std::string inertia_of_walls(const Scene<2> &scene, const Settings &)
 std::string pressed_walls(const Scene<2> &scene, const Settings &)
 {
   for (const WallDescription<2> &wall : scene.walls)
-    if (!wall.drive->prescribed())
+    if (is_free(wall, Freedom::across))
       return "'Quasi-static/Held steps' = '0' is not allowed with the pressure on wall '" + wall.name + "'";
   return "";
 }

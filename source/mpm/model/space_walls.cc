@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // How walls and obstacles in space move, and what they do.
 #include <softgrain/driving/obstacle_partner.h>
+#include <softgrain/driving/wall_freedom.h>
 #include <softgrain/driving/wall_partner.h>
 #include <softgrain/mpm/model/space_model.h>
 #include <softgrain/scene/wall_drive.h>
@@ -15,7 +16,7 @@ namespace
 /// Mean over a step from @p time on; of a wall under a load where it began.
 WallMotion<3> motion_of(Wall<3> wall, const double time, const double dt)
 {
-  if (!wall.prescribed())
+  if (is_free(wall, Freedom::across))
     return {wall.description.point, wall.normal(), 0.};
   if (dt == 0.)
     return {wall.point(), wall.normal(), 0.};
@@ -28,7 +29,7 @@ WallMotion<3> motion_of(Wall<3> wall, const double time, const double dt)
 /// The pressure on a wall under a load at the end of a step [Pa].
 std::optional<double> pressure_on(const Wall<3> &wall, const double time, const double dt)
 {
-  if (wall.prescribed())
+  if (!is_free(wall, Freedom::across))
     return std::nullopt;
   return demand_of(wall, time + dt, 0.).pressure;
 }
@@ -92,7 +93,7 @@ void SpaceModel::book_wall(const std::size_t w,
 void SpaceModel::follow_loads()
 {
   for (std::size_t w = 0; w < driven.size(); ++w)
-    if (!driven[w].prescribed())
+    if (is_free(driven[w], Freedom::across))
     {
       driven[w].travel = state.loaded[w].way;
       driven[w].book.work += state.loaded[w].work;

@@ -58,7 +58,8 @@ void ContactAccounts::book_row(const ContactWork &contact, const unsigned int r,
                acting = contact.acting(r, c);
   if (RigidPartner<2> *const partner = partners.of(row))
   {
-    const PartnerImpulse<2> given{direction, impulse, acting, row.place, row.partner_velocity, dt};
+    const PartnerImpulse<2> given{
+        direction, impulse, acting, row.place, row.velocity_of_place.value_or(Vector()), dt};
     partner->take(given);
     state.balance.momentum.of_walls += given.given();
   }

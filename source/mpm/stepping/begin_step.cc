@@ -28,13 +28,17 @@ std::vector<WallMotion<2>> wall_motion(State &state, Workspace &work, const Step
                       std::abs(told.speed), told.slide});
   }
   for (const FreeWall<2> &free : work.contact.free_walls.list)
-    if (!free.slides() || free.length > 0.)
+    if (!free.slides() || free.is_side())
       motion[free.wall].fastest = std::max(
           motion[free.wall].fastest,
           free.stop > 0. ? free.stop : std::max(std::abs(free.start_speed), std::abs(free.free_speed)));
-  for (unsigned int w = 0; w < walls.size(); ++w)
-    if (walls[w].body != Wall<2>::no_body)
-      work.drive[walls[w].body] = motion[w].mean_velocity();
+  drive_slabs(state, motion, work);
   return motion;
+}
+
+void drive_slabs(const State &state, const std::vector<WallMotion<2>> &motion, Workspace &work)
+{
+  for_slabs(state.walls, [&](const std::size_t w, const unsigned int body)
+            { work.drive[body] = motion[w].mean_velocity(); });
 }
 } // namespace softgrain::mpm

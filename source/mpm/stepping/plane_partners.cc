@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/analysis/partner_numbers.h>
 #include <softgrain/driving/obstacle_partner.h>
-#include <softgrain/driving/partner_numbers.h>
 #include <softgrain/driving/wall_partner.h>
 #include <softgrain/mpm/stepping/plane_partners.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
+#include <softgrain/mpm/stepping/begin_step.h>
 #include <softgrain/mpm/stepping/pressed_walls.h>
 #include <softgrain/mpm/stepping/wall_imbalance.h>
 
@@ -42,8 +43,8 @@ FreeWall<2> free_wall(const State &state, const unsigned int w, const Freedom di
   free.wall = w;
   free.normal = state.walls[w].normal();
   free.way = way_of(state.walls[w], direction);
-  if (is_side_of_cell(state.walls[w]))
-    free.length = cell_of(state.walls).length[axis_of(free.normal)];
+  free.length = length_across(state.walls, w);
+  free.slab = state.walls[w].body;
   return free;
 }
 
@@ -109,9 +110,7 @@ void settle_free_walls(const Problem &problem,
                        std::vector<WallMotion<2>> &motion)
 {
   follow_free_walls(problem, work, motion);
-  for (const FreeWall<2> &free : work.contact.free_walls.list)
-    if (state.walls[free.wall].body != Wall<2>::no_body)
-      work.drive[state.walls[free.wall].body] = motion[free.wall].mean_velocity();
+  drive_slabs(state, motion, work);
 }
 
 void account_free_wall(

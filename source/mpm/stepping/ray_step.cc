@@ -99,22 +99,21 @@ void RayStep::find_free_walls()
   for (const FreeWall<2> &free : work.contact.free_walls.list)
   {
     const Wall<2> &wall = state.walls[free.wall];
-    const unsigned int slab = wall.body == Wall<2>::no_body ? FrameState<2>::none : wall.body;
-    const PeriodicCell<2> *const side = is_side_of_cell(wall) ? repeats : nullptr;
+    const PeriodicCell<2> *const side = free.is_side() ? repeats : nullptr;
     if (inertia)
     {
       const double dt = plan.dt, begun = (1. - theta) * free.start_speed,
                    stiffness = free.mass / (theta * dt * dt),
                    farthest = free.stop > 0. ? dt * (std::abs(begun) + theta * free.stop)
                                              : std::numeric_limits<double>::max();
-      system.ways.emplace_back(free, slab, side, 0., stiffness * dt * (begun + theta * free.free_speed),
+      system.ways.emplace_back(free, free.slab, side, 0., stiffness * dt * (begun + theta * free.free_speed),
                                farthest, stiffness);
       system.ways.back().at = dt * free.start_speed;
       continue;
     }
     const double load = load_on(wall, freedom_of(free)).force, net = load + wall.book.force * free.way;
     // The spring is that of bodies that resist no more than they must.
-    system.ways.emplace_back(free, slab, side, std::abs(net) < 0.5 * std::abs(load) ? 0. : net, load,
+    system.ways.emplace_back(free, free.slab, side, std::abs(net) < 0.5 * std::abs(load) ? 0. : net, load,
                              problem.settings.wall_motion * h,
                              free.mass / (plan.dt * plan.dt) * problem.settings.regularisation /
                                  plan.regularisation);

@@ -190,7 +190,9 @@ private:
   /// Branch in a cell: from the centre of the body of @p b, or its image, to that of @p a; 0 in a body [m].
   dealii::Tensor<1, 2> branch(std::uint32_t a, std::uint32_t b, const PeriodicCell<2>::Image &image) const;
   void prepare_cell(double dt, const std::vector<Wall<2>> &walls);
-  void load_cell(double dt, std::vector<Wall<2>> &walls) const;
+  /// Puts the forces through the sides of the cell on them, and lets those that are free go. @param impulse
+  /// of sides on what is in the cell, along their normals [N s/m]
+  void load_cell(double dt, std::vector<Wall<2>> &walls, std::vector<double> &impulse);
   void take_along(double dt, std::vector<Wall<2>> &walls, DynamicsReport &report);
   void resize_rows(std::size_t n);
   void set_row(std::size_t row,
@@ -223,7 +225,8 @@ private:
   Overlap deepest_of_ranks(double dt, double limit) const;
   Overlap deepest_in_obstacles(double dt) const;
   Overlap deepest_of_all_ranks(const Overlap &here) const;
-  /// Lets wall @p w go that way, in which it is free. @param push of the primaries [N s/m]
+  /// Lets wall @p w go that way, in which it is free: books what its load and its damping do. @param push of
+  /// the primaries [N s/m]
   void let_go(
       double dt, std::size_t w, Freedom direction, double push, Wall<2> &wall, DynamicsReport &report) const;
   /// Sums of what primaries do in a step.

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -66,8 +67,7 @@ struct ContactRow
   unsigned int body = none;    ///< feels +impulse
   unsigned int partner = none; ///< feels -impulse; none when it is a plane wall
   unsigned int wall =
-      none;              ///< the wall on the other side, plane or made of points; obstacles follow the walls
-  bool obstacle = false; ///< whether it is one
+      none; ///< the wall on the other side, plane or made of points; obstacles follow the walls
   RowWeights weights;
   dealii::Point<dim> place;      ///< [m]
   dealii::Tensor<1, dim> normal; ///< unit, from partner or wall to body
@@ -75,8 +75,9 @@ struct ContactRow
   double length = 0;             ///< of the boundary it stands for [m]
   RowLaw law;
   WorkBeyond beyond;
-  dealii::Tensor<1, dim> partner_velocity; ///< of an obstacle, mean over the step [m/s]
-  std::uint64_t key = 0;                   ///< names the pair from step to step, for warm starts
+  /// Velocity of the place it meets, mean over the step, of a partner whose places have their own [m/s].
+  std::optional<dealii::Tensor<1, dim>> velocity_of_place;
+  std::uint64_t key = 0; ///< names the pair from step to step, for warm starts
   RowInCell<dim> cell;
 };
 

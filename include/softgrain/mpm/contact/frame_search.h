@@ -2,9 +2,9 @@
 #ifndef softgrain_mpm_contact_frame_search_h
 #define softgrain_mpm_contact_frame_search_h
 
+#include <softgrain/analysis/partner_numbers.h>
 #include <softgrain/driving/adhesion.h>
 #include <softgrain/driving/cell_motion.h>
-#include <softgrain/driving/partner_numbers.h>
 #include <softgrain/geometry/outline_surface.h>
 #include <softgrain/geometry/solid_surface.h>
 #include <softgrain/mpm/body/body.h>

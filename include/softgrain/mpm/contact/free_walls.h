@@ -23,10 +23,12 @@ struct FreeWall
   double mass = 0;               ///< [kg/m in 2D]
   double start_speed = 0;        ///< that way at the start of the step [m/s]
   double free_speed = 0;         ///< at its end without contact [m/s]
-  double length = 0;             ///< of the cell across it, of a side of one that repeats [m]
-  double stop = 0;               ///< largest speed at the end, either way; 0: any [m/s]
-  double speed = 0;              ///< at the end under the impulses of the last solve [m/s]
+  double length = 0;             ///< of the cell across it, of a side of one that repeats; else 0 [m]
+  unsigned int slab = ContactRow<dim>::none; ///< body that it is made of; none: it is a plane or a side
+  double stop = 0;                           ///< largest speed at the end, either way; 0: any [m/s]
+  double speed = 0;                          ///< at the end under the impulses of the last solve [m/s]
 
+  bool is_side() const { return length > 0.; } ///< of a cell
   /// Whether it is free along the tangent.
   bool slides() const { return std::abs(way * normal) < 0.5; }
 };

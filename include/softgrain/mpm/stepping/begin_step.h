@@ -18,6 +18,9 @@ begin_step(const Problem &problem, State &state, Workspace &work, const StepPlan
 
 /// How walls move under the loads that they have; obstacles plan their way. begin_step() ends with it.
 std::vector<WallMotion<2>> wall_motion(State &state, Workspace &work, const StepPlan &plan);
+
+/// Slabs go with their walls.
+void drive_slabs(const State &state, const std::vector<WallMotion<2>> &motion, Workspace &work);
 } // namespace softgrain::mpm
 
 #endif
