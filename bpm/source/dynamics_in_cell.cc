@@ -6,12 +6,9 @@ namespace softgrain::bpm
 {
 namespace
 {
-CellMotion motion_of(const std::vector<Wall<2>> &walls)
+dealii::Tensor<1, 2> velocity_of(const Wall<2> &side, std::size_t)
 {
-  CellMotion motion;
-  motion.cell = cell_of(walls);
-  for_sides(walls, [&](const Wall<2> &side) { motion.add_side(side.normal(), side.velocity()); });
-  return motion;
+  return side.velocity();
 }
 } // namespace
 
@@ -20,7 +17,7 @@ void Dynamics::see_cell(const std::vector<Wall<2>> &walls)
   cell.reset();
   if (!any_sides(walls))
     return;
-  cell = motion_of(walls);
+  cell = motion_of(cell_of(walls), walls, velocity_of);
   find_centers();
 }
 
@@ -57,7 +54,7 @@ Dynamics::branch(const std::uint32_t a, const std::uint32_t b, const PeriodicCel
 
 void Dynamics::prepare_cell(const double dt, const std::vector<Wall<2>> &walls)
 {
-  cell = motion_of(walls);
+  cell = motion_of(cell_of(walls), walls, velocity_of);
   bodies.cell = contact::DiskCell();
   for_sides(walls,
             [&](const Wall<2> &side)
@@ -110,19 +107,13 @@ void Dynamics::load_cell(const double dt, std::vector<Wall<2>> &walls, std::vect
 
 void Dynamics::take_along(const double dt, std::vector<Wall<2>> &walls, DynamicsReport &report)
 {
-  // Sides have their speeds at the end of the step.
-  CellMotion motion;
-  motion.cell = cell->cell;
-  for_sides(walls, [&](const Wall<2> &side) { motion.add_side(side.normal(), side.velocity()); });
+  // Sides have their speeds at the end of the step, and their places at its start.
+  const CellMotion motion = motion_of(cell->cell, walls, velocity_of);
   const double offset = motion.offset_after(dt);
   for_sides(walls, [&](Wall<2> &side) { side.offset = offset; });
   if (!motion.deforms())
     return;
-  // All copies of the cell stay alike: what is peculiar now is measured against the cell after the step.
-  dealii::Tensor<2, 2> stretch = dt * motion.gradient;
-  stretch[0][0] += 1.;
-  stretch[1][1] += 1.;
-  const dealii::Tensor<2, 2> after = motion.gradient * invert(stretch);
+  const MeasuredAgain again(motion, dt);
   std::vector<dealii::Tensor<1, 2>> way(center_of_body.size()), change(center_of_body.size());
   for (std::size_t i = 0; i < primaries.size(); ++i)
     for (unsigned int d = 0; d < 2; ++d)
@@ -130,7 +121,7 @@ void Dynamics::take_along(const double dt, std::vector<Wall<2>> &walls, Dynamics
   for (std::size_t b = 0; b < way.size(); ++b)
   {
     way[b] = dt * motion.velocity(center_of_body[b]);
-    change[b] = -dt / mass_of_body[b] * (after * change[b]);
+    change[b] = again.change(mass_of_body[b], change[b]);
     report.cell_impulse += mass_of_body[b] * change[b];
   }
   for (std::size_t i = 0; i < primaries.size(); ++i)

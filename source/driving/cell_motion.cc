@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/driving/cell_motion.h>
-#include <softgrain/driving/wall_freedom.h>
 
 namespace softgrain
 {
@@ -12,6 +11,14 @@ void CellMotion::add_side(const dealii::Tensor<1, 2> &normal, const dealii::Tens
     drift += side_velocity;
   for (unsigned int e = 0; e < 2; ++e)
     gradient[e][d] += (lower ? -1. : 1.) * side_velocity[e] / cell.length[d];
+}
+
+dealii::Tensor<2, 2> CellMotion::gradient_after(const double dt) const
+{
+  dealii::Tensor<2, 2> stretch = dt * gradient;
+  for (unsigned int d = 0; d < 2; ++d)
+    stretch[d][d] += 1.;
+  return gradient * invert(stretch);
 }
 
 PeriodicCell<2> cell_of(const std::vector<Wall<2>> &walls)

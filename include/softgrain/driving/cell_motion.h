@@ -2,7 +2,7 @@
 #ifndef softgrain_driving_cell_motion_h
 #define softgrain_driving_cell_motion_h
 
-#include <softgrain/driving/wall.h>
+#include <softgrain/driving/wall_freedom.h>
 #include <softgrain/geometry/periodic_cell.h>
 
 #include <vector>
@@ -36,8 +36,29 @@ struct CellMotion
   /// A side moves: adds its velocity [m/s].
   void add_side(const dealii::Tensor<1, 2> &normal, const dealii::Tensor<1, 2> &velocity);
 
+  /// The gradient as places have it that the cell has taken along for a step of @p dt [1/s].
+  dealii::Tensor<2, 2> gradient_after(double dt) const;
+
   /// The offset of the cell above after a step of @p dt [m].
   double offset_after(double dt) const { return cell.offset + dt * (gradient * cell.shift({{0, 1}}))[0]; }
+};
+
+/// What a step of @p dt in which a cell deforms changes of the velocities of a body, which from then on are
+/// those beside the cell as it is after the step: so all its copies stay alike.
+class MeasuredAgain
+{
+public:
+  MeasuredAgain(const CellMotion &cell, const double dt) : gradient(cell.gradient_after(dt)), dt(dt) {}
+
+  /// @param momentum of the body beside the cell as it was [N s/m] @return change of all its velocities [m/s]
+  dealii::Tensor<1, 2> change(const double mass, const dealii::Tensor<1, 2> &momentum) const
+  {
+    return -dt / mass * (gradient * momentum);
+  }
+
+private:
+  const dealii::Tensor<2, 2> gradient;
+  const double dt;
 };
 
 /// The cell between the walls that are sides of one; it does not repeat when there are none.
@@ -49,6 +70,18 @@ double length_across(const std::vector<Wall<2>> &walls, std::size_t w);
 /// Puts the forces through its sides on them. @param virial sum over contacts of the force on a body times
 /// the branch vector to its centre from that of its partner [N]
 void load_sides(std::vector<Wall<2>> &walls, const PeriodicCell<2> &cell, const dealii::Tensor<2, 2> &virial);
+
+/// How @p cell deforms where every one of its sides has velocity_of(side, number) [m/s].
+template <class Velocity>
+CellMotion
+motion_of(const PeriodicCell<2> &cell, const std::vector<Wall<2>> &walls, const Velocity &velocity_of)
+{
+  CellMotion motion;
+  motion.cell = cell;
+  for_sides(walls, [&](const Wall<2> &side, const std::size_t w)
+            { motion.add_side(side.normal(), velocity_of(side, w)); });
+  return motion;
+}
 } // namespace softgrain
 
 #endif

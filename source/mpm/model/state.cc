@@ -27,14 +27,7 @@ std::optional<CellMotion> State::cell_motion(const std::vector<WallMotion<2>> &m
 {
   if (!repeats())
     return std::nullopt;
-  CellMotion cell;
-  cell.cell = cell_of(walls);
-  for_sides(walls,
-            [&](const Wall<2> &side)
-            {
-              const WallMotion<2> &moves = motion[&side - walls.data()];
-              cell.add_side(moves.normal, moves.mean_velocity());
-            });
-  return cell;
+  return motion_of(cell_of(walls), walls,
+                   [&](const Wall<2> &, const std::size_t w) { return motion[w].mean_velocity(); });
 }
 } // namespace softgrain::mpm

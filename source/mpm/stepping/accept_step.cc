@@ -40,14 +40,11 @@ void note_contacts(State &state,
 /// now, so that its copies stay alike (CellMotion); books what that does.
 void measure_against_cell(State &state, const CellMotion &cell, const double dt)
 {
-  dealii::Tensor<2, 2> stretch = dt * cell.gradient;
-  for (unsigned int d = 0; d < 2; ++d)
-    stretch[d][d] += 1.;
-  const dealii::Tensor<2, 2> after = cell.gradient * invert(stretch);
+  const MeasuredAgain again(cell, dt);
   for (Body<2> &body : state.bodies)
   {
     const double mass = body.mass.sum();
-    const dealii::Tensor<1, 2> momentum = body.momentum(), change = -dt / mass * (after * momentum);
+    const dealii::Tensor<1, 2> momentum = body.momentum(), change = again.change(mass, momentum);
     for (unsigned int i = 0; i < body.mass.size(); ++i)
       for (unsigned int d = 0; d < 2; ++d)
         body.velocity[2 * i + d] += change[d];
