@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The part of Dynamics that meets obstacles.
 #include <softgrain/bpm/dynamics.h>
+#include <softgrain/driving/obstacle_partner.h>
 
 #include <algorithm>
 
@@ -93,22 +94,22 @@ void Dynamics::drive_obstacles(const std::size_t n_walls)
 
 void Dynamics::move_obstacles(const double dt, DynamicsReport &report)
 {
+  std::vector<ObstaclePartner<2>> partners;
   for (Obstacle<2> &obstacle : *obstacles)
-    obstacle.arrive();
+    partners.emplace_back(obstacle, false);
   const std::size_t first = rows.size() - obstacle_rows.size();
   for (std::size_t k = 0; k < obstacle_rows.size(); ++k)
   {
-    Obstacle<2> &obstacle = (*obstacles)[obstacle_rows[k].obstacle];
+    const Obstacle<2> &obstacle = (*obstacles)[obstacle_rows[k].obstacle];
     const std::array<double, 2> &normal = rows.normal[first + k];
     const double tangential = rotations ? rows.tangential_impulse[first + k] : 0.;
     const Vector given({normal[0] * rows.impulse[first + k] - normal[1] * tangential,
                         normal[1] * rows.impulse[first + k] + normal[0] * tangential});
-    obstacle.give(given, obstacle.now.placed(obstacle_rows[k].drawn), dt);
+    const dealii::Point<2> &drawn = obstacle_rows[k].drawn;
+    const double work = partners[obstacle_rows[k].obstacle].take(
+        {given, 1., 1., obstacle.now.placed(drawn), obstacle.way.velocity(drawn), dt,
+         rows.rolling_impulse.empty() ? 0. : rows.rolling_impulse[first + k]});
     report.wall_impulse += given;
-    double work = given * obstacle.way.velocity(obstacle_rows[k].drawn);
-    if (!rows.rolling_impulse.empty())
-      work += rows.rolling_impulse[first + k] * obstacle.way.spin();
-    obstacle.work += work;
     report.wall_work += work;
     report.contact_loss += work;
   }

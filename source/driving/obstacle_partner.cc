@@ -29,11 +29,16 @@ ObstaclePartner<dim>::ObstaclePartner(Obstacle<dim> &obstacle, const bool balanc
 }
 
 template <int dim>
-void ObstaclePartner<dim>::take(const PartnerImpulse<dim> &impulse)
+double ObstaclePartner<dim>::take(const PartnerImpulse<dim> &impulse)
 {
   obstacle.give(impulse.given(), impulse.place, impulse.dt);
-  if (!balanced)
-    obstacle.work += impulse.acting * (impulse.velocity * impulse.direction);
+  if (balanced)
+    return 0.;
+  double work = impulse.acting * (impulse.velocity * impulse.direction);
+  if (impulse.moment != 0.)
+    work += impulse.moment * obstacle.way.spin();
+  obstacle.work += work;
+  return work;
 }
 
 template <int dim>

@@ -37,11 +37,13 @@ WallPartner::WallPartner(Wall<2> &wall,
   wall.slide_speed = rates.slide;
 }
 
-void WallPartner::take(const PartnerImpulse<2> &impulse)
+double WallPartner::take(const PartnerImpulse<2> &impulse)
 {
   const dealii::Tensor<1, 2> given = impulse.given();
   wall.book.give(given, impulse.dt);
-  wall.book.work += given * working_velocity(wall, balanced);
+  const double work = given * working_velocity(wall, balanced);
+  wall.book.work += work;
+  return work;
 }
 
 void WallPartner::book_mean(std::vector<DrivenWork> &works)

@@ -23,7 +23,7 @@ public:
   /// It arrives where its way ends. @param balanced whether the step leads from balance to balance
   ObstaclePartner(Obstacle<dim> &obstacle, bool balanced);
 
-  void take(const PartnerImpulse<dim> &impulse) override;
+  double take(const PartnerImpulse<dim> &impulse) override;
   void book_mean(std::vector<DrivenWork> &works) override;
 
 private:

@@ -20,13 +20,14 @@ struct DrivenWork
 template <int dim>
 struct PartnerImpulse
 {
-  dealii::Tensor<1, dim> direction; ///< unit
+  dealii::Tensor<1, dim> direction; ///< unit; or all that is given, where `impulse` is 1
   double impulse = 0.;              ///< along it; of the forces at the end of the step [N s/m^(3-dim)]
   double acting = 0.;               ///< the same, with which it does work
   dealii::Point<dim> place;         ///< [m]
   dealii::Tensor<1, dim>
-      velocity;   ///< of the place, of a partner whose places have velocities of their own [m/s]
-  double dt = 0.; ///< [s]
+      velocity;       ///< of the place, of a partner whose places have velocities of their own [m/s]
+  double dt = 0.;     ///< [s]
+  double moment = 0.; ///< beside it, of resistance to rolling [N s m/m^(3-dim)]
 
   dealii::Tensor<1, dim> given() const { return impulse * direction; }
 };
@@ -44,7 +45,8 @@ public:
   virtual ~RigidPartner() = default;
 
   /// Feels what it has given to a body, and books the work of that if impulses are what does work.
-  virtual void take(const PartnerImpulse<dim> &impulse) = 0;
+  /// @return that work [J/m^(3-dim)]
+  virtual double take(const PartnerImpulse<dim> &impulse) = 0;
 
   /// Ends a step from balance to balance, when all is felt: books the work of the mean of the forces at both
   /// ends, and adds to @p works by how much that may be wrong.

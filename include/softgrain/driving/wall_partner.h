@@ -47,7 +47,7 @@ public:
               bool balanced,
               const dealii::Tensor<1, 2> &load_at_start);
 
-  void take(const PartnerImpulse<2> &impulse) override;
+  double take(const PartnerImpulse<2> &impulse) override;
   void book_mean(std::vector<DrivenWork> &works) override;
   double book_load() override;
 

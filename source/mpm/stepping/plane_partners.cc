@@ -14,9 +14,11 @@ class DrivenBodyPartner : public RigidPartner<2>
 public:
   DrivenBodyPartner(const dealii::Tensor<1, 2> &velocity, double &work) : velocity(velocity), work(work) {}
 
-  void take(const PartnerImpulse<2> &impulse) override
+  double take(const PartnerImpulse<2> &impulse) override
   {
-    work += impulse.acting * (impulse.direction * velocity);
+    const double done = impulse.acting * (impulse.direction * velocity);
+    work += done;
+    return done;
   }
   // What acts is the mean already.
   void book_mean(std::vector<DrivenWork> &) override {}
