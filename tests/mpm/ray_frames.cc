@@ -7,6 +7,7 @@
 #include "gel.h"
 
 #include <softgrain/mpm/contact/frame_memory.h>
+#include <softgrain/mpm/contact/obstacle_line.h>
 
 #include <iostream>
 
@@ -111,7 +112,9 @@ int main()
   Obstacle<2> arc, line;
   arc.description.pieces = {Curve::arc({-0.3, 4.}, 1., -1., 1.)};
   line.description.pieces = {Curve::segment({2.6, 8.}, {2.9, 6.3})};
-  const std::vector<ObstacleLine> obstacles{ObstacleLine(arc), ObstacleLine(line)};
+  AllRigidRays<2> obstacles;
+  for (const Obstacle<2> *obstacle : {&arc, &line})
+    obstacles.push_back(std::make_unique<ObstacleLine>(*obstacle, 0.5));
   FrameScene<2> scene{bodies, outlines, walls, 1., {}, 0.5, &pairs, nullptr, 0., {}};
   scene.lines = &obstacles;
   Vectors start;

@@ -3,9 +3,10 @@
 #include <softgrain/base/parallel.h>
 #include <softgrain/model/state_file.h>
 #include <softgrain/mpm/contact/frame_memory.h>
-#include <softgrain/mpm/contact/obstacle_line.h>
+#include <softgrain/mpm/contact/rigid_rays.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace softgrain::mpm
 {
@@ -32,17 +33,15 @@ struct Surfaces
   Surfaces(const std::vector<Body<2>> &bodies,
            const unsigned int n_walls,
            const std::vector<Obstacle<2>> &obstacles)
-      : n_walls(n_walls)
+      : n_walls(n_walls), lines(rays_of(obstacles, std::numeric_limits<double>::max()))
   {
     for (const Body<2> &body : bodies)
       outlines.push_back(outline_of(body));
-    for (const Obstacle<2> &obstacle : obstacles)
-      lines.push_back(surface_of(obstacle));
   }
 
   unsigned int n_walls;
   std::vector<OutlineSurface> outlines; ///< of bodies
-  std::vector<LineSurface> lines;       ///< of obstacles, which count on after the walls
+  AllRigidRays<2> lines;                ///< of obstacles, which count on after the walls
 };
 
 /// The lists of save_frames() in a state that is read. Every function refuses what cannot be.
@@ -121,10 +120,11 @@ Frame::RayPlace FrameLists::ray(const std::size_t r, const Frame &frame, const S
   }
   if (frame.partner == Frame::none && PartnerNumbers(surfaces.n_walls).is_obstacle(frame.wall))
   {
-    const LineSurface &line = surfaces.lines[PartnerNumbers(surfaces.n_walls).obstacle(frame.wall)];
-    if (piece[0] >= line.n_pieces())
+    const auto &line = surfaces.lines[PartnerNumbers(surfaces.n_walls).obstacle(frame.wall)];
+    const std::optional<SurfacePlace<2>> place = line->place_at(piece[0], numbers[3]);
+    if (!place)
       in.refuse(name + "/pieces", "the obstacle has no such piece");
-    ray.place[0] = line.at(piece[0], numbers[3]);
+    ray.place[0] = *place;
   }
   for (unsigned int side = 0; side < 2; ++side)
     if (const unsigned int b = of_side(frame, side); b != Frame::none)

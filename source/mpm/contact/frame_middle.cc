@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Where frames stand and how they are turned.
 #include <softgrain/mpm/contact/frame_layout.h>
-#include <softgrain/mpm/contact/obstacle_line.h>
 
 #include <algorithm>
 #include <cmath>

@@ -40,7 +40,7 @@ ContactRow<2> row_of_ray(const FrameScene<2> &scene, const FrameState<2> &frame,
   row.body = layout.body;
   row.partner = layout.partner;
   row.wall = layout.wall;
-  if (const ObstacleLine *line = scene.line_of(frame.layout()))
+  if (const RigidRays<2> *line = scene.line_of(frame.layout()))
     row.velocity_of_place = line->way_of(ray.side[0].place) / scene.dt;
   if (layout.partner != FrameState<2>::none && scene.bodies[layout.partner].driven)
     row.wall = scene.bodies[layout.partner].wall;
@@ -83,7 +83,7 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene<2> &scene,
         // Friction does its work between the places that it holds together.
         row.normal = dealii::Tensor<1, 2>({-ray.rub.e[0][1], ray.rub.e[0][0]});
         row.law.friction = frame.conditions().friction_coefficient();
-        if (const ObstacleLine *line = scene.line_of(frame.layout()))
+        if (const RigidRays<2> *line = scene.line_of(frame.layout()))
           row.velocity_of_place = line->way_of(ray.rub.start[0]) / scene.dt;
         given += frame.ray(k).rub.in_space(rubbing[f][k]);
       }

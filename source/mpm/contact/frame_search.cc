@@ -18,23 +18,15 @@ namespace
 template <int dim>
 using Frame = ContactFrame<dim>;
 
-/// Finds the stretches of a pair. @param lines samples of the obstacles of the plane
+/// Finds the stretches of a pair.
 template <int dim>
-void look(const FrameScene<dim> &scene,
-          const std::vector<SampledSurface<dim>> &samples,
-          const std::vector<SampledSurface<dim>> &lines,
-          FrameTask<dim> &task)
+void look(const FrameScene<dim> &scene, const std::vector<SampledSurface<dim>> &samples, FrameTask<dim> &task)
 {
   const SampledSurface<dim> &body = samples[task.named.body];
-  if (scene.line_of(task.named) != nullptr)
+  if (const RigidRays<dim> *const line = scene.line_of(task.named))
   {
-    // Long lines have but a part near a body; a surface is sampled where it faces the body.
-    if constexpr (dim == 2)
-      task.image =
-          std::make_unique<SampledSurface<2>>(part_in(task.near, lines[obstacle_of(scene, task.named)]));
-    else
-      task.image = std::make_unique<SampledSurface<3>>(
-          scene.line_of(task.named)->facing(body, reach_of(scene, task.named)));
+    task.image =
+        std::make_unique<SampledSurface<dim>>(line->facing(body, task.near, reach_of(scene, task.named)));
     task.partner = task.image.get();
     if (!task.partner->samples.empty())
       task.stretches = stretches_between(*task.partner, body, reach_of(scene, task.named));
@@ -97,7 +89,7 @@ template <int dim>
 struct LookedAt
 {
   const FrameScene<dim> &scene;
-  const std::vector<SampledSurface<dim>> &samples, &lines; ///< of bodies, and of obstacles of the plane
+  const std::vector<SampledSurface<dim>> &samples; ///< of bodies
 };
 
 /// Whether a frame that is kept has to be turned.
@@ -116,7 +108,7 @@ void find_here(const LookedAt<dim> &at, FramesBefore<dim> &before, const std::ve
                [&](const std::size_t begin, const std::size_t end)
                {
                  for (std::size_t i = begin; i < end; ++i)
-                   look(at.scene, at.samples, at.lines, *tasks[i]);
+                   look(at.scene, at.samples, *tasks[i]);
                });
   for (FrameTask<dim> *const task : tasks)
     task->found =
@@ -218,12 +210,8 @@ std::vector<ContactFrame<dim>> find_frames(const FrameScene<dim> &scene,
                  for (std::size_t b = begin; b < end; ++b)
                    samples[b] = sample_surface(scene.bodies[b], scene.outlines[b]);
                });
-  std::vector<SampledSurface<dim>> lines;
-  if constexpr (dim == 2)
-    for (unsigned int o = 0; scene.lines != nullptr && o < scene.lines->size(); ++o)
-      lines.push_back((*scene.lines)[o].samples(0.5 * scene.cell_size));
   std::vector<FrameTask<dim>> tasks = find_frame_tasks(scene, samples);
-  find_in_tasks(LookedAt<dim>{scene, samples, lines}, before, tasks);
+  find_in_tasks(LookedAt<dim>{scene, samples}, before, tasks);
   std::vector<Frame<dim>> result;
   for (FrameTask<dim> &task : tasks)
     for (Frame<dim> &frame : task.found)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/contact/frame_stretches.h>
 #include <softgrain/mpm/contact/obstacle_line.h>
 
 #include <algorithm>
@@ -131,8 +132,8 @@ private:
   const LineSurface &line;
   const double share;
 };
-} // namespace
 
+/// A line's surface as it is drawn.
 LineSurface surface_of(const Obstacle<2> &obstacle)
 {
   const std::vector<Curve> pieces = without_joints(obstacle.description.pieces);
@@ -141,33 +142,50 @@ LineSurface surface_of(const Obstacle<2> &obstacle)
     tips.push_back(has_tip(pieces, k));
   return {pieces, std::move(tips)};
 }
+} // namespace
 
-ObstacleLine::ObstacleLine(const Obstacle<2> &obstacle)
-    : friction(obstacle.description.friction), surface(surface_of(obstacle)), way(obstacle.way)
+ObstacleLine::ObstacleLine(const Obstacle<2> &obstacle, const double spacing)
+    : RigidRays<2>(obstacle.description.friction)
+    , line(surface_of(obstacle))
+    , way(obstacle.way)
+    , samples(sample(spacing))
 {
+}
+
+std::optional<SurfacePlace<2>> ObstacleLine::place_at(const unsigned int piece, const double along) const
+{
+  return piece < line.n_pieces() ? std::make_optional(line.at(piece, along)) : std::nullopt;
+}
+
+// Long lines have but a part near a body.
+SampledSurface<2> ObstacleLine::facing(const SampledSurface<2> & /*body*/,
+                                       const dealii::BoundingBox<2> &near,
+                                       const double /*reach*/) const
+{
+  return part_in(near, samples);
 }
 
 double ObstacleLine::largest_way() const
 {
   double largest = 0.;
-  for (unsigned int piece = 0; piece < surface.n_pieces() / 2; ++piece)
+  for (unsigned int piece = 0; piece < line.n_pieces() / 2; ++piece)
     for (const double share : {0., 0.25, 0.5, 0.75, 1.})
-      largest = std::max(largest, way_of(surface.at(piece, share * surface.length(piece))).norm());
+      largest = std::max(largest, way_of(line.at(piece, share * line.length(piece))).norm());
   return largest;
 }
 
-SampledSurface<2> ObstacleLine::samples(const double spacing) const
+SampledSurface<2> ObstacleLine::sample(const double spacing) const
 {
   SampledSurface<2> result;
   result.spacing = spacing;
   const Pose<2> &pose = way.start;
-  const unsigned int n = surface.n_pieces() / 2;
+  const unsigned int n = line.n_pieces() / 2;
   std::vector<unsigned int> first(2 * n), last(2 * n); // samples of every piece
   for (unsigned int step = 0; step < 2 * n; ++step)
   {
     // On along the right side and back along the left one.
     const unsigned int piece = step < n ? step : 3 * n - 1 - step;
-    const double length = surface.length(piece);
+    const double length = line.length(piece);
     const unsigned int parts = std::max(1., std::ceil(length / spacing));
     first[piece] = result.samples.size();
     const auto add = [&](const SampledSurface<2>::Sample &sample)
@@ -178,12 +196,12 @@ SampledSurface<2> ObstacleLine::samples(const double spacing) const
     };
     for (unsigned int i = 0; i < parts; ++i)
     {
-      SampledSurface<2>::Sample sample = sample_of(surface.at(piece, i * length / parts), pose);
-      if (i == 0 && surface.corner_before(piece))
+      SampledSurface<2>::Sample sample = sample_of(line.at(piece, i * length / parts), pose);
+      if (i == 0 && line.corner_before(piece))
       {
-        const Turn turn(surface, piece);
+        const Turn turn(line, piece);
         if (turn.is_dent())
-          add(sample_of(surface.at(turn.last, surface.length(turn.last)), pose));
+          add(sample_of(line.at(turn.last, line.length(turn.last)), pose));
         else
           make_corner(turn, pose, sample);
       }
@@ -192,7 +210,7 @@ SampledSurface<2> ObstacleLine::samples(const double spacing) const
     last[piece] = result.samples.size() - 1;
   }
   for (unsigned int piece = 0; piece < 2 * n; ++piece)
-    result.neighbours.emplace_back(last[surface.previous(piece)], first[piece]);
+    result.neighbours.emplace_back(last[line.previous(piece)], first[piece]);
   return result;
 }
 
@@ -205,10 +223,10 @@ RaySide<2> ObstacleLine::meet(const Ray<2> &ray, const double share, const Surfa
   drawn.direction = turn(ray.direction, -pose.angle);
   drawn.across[0] = turn(ray.across[0], -pose.angle);
   // Where a step begins, tolerances of the one before may lie beyond a dent.
-  RaySide<2> side = mpm::meet(drawn, BeyondDents(surface, share > 0. ? 0.05 : 1e-4), guess);
+  RaySide<2> side = mpm::meet(drawn, BeyondDents(line, share > 0. ? 0.05 : 1e-4), guess);
   side.normal = turn(side.normal, pose.angle);
   side.way[0] = turn(side.way[0], pose.angle);
-  // A rigid surface bends along its tangent alone.
+  // A rigid line bends along its tangent alone.
   const double bend = trace(side.sliding_twice), length = side.way[0].norm_square();
   side.sliding_twice =
       length > 0. ? bend / length * outer_product(side.way[0], side.way[0]) : dealii::Tensor<2, 2>();

@@ -45,7 +45,7 @@ void turn(const Pose<3> &pose, RaySide<3> &side)
 } // namespace
 
 ObstacleSolid::ObstacleSolid(const Obstacle<3> &obstacle, const ObstacleMotion<3> &way)
-    : shape(obstacle.description.surface), friction(obstacle.description.friction), surface(*shape), way(way)
+    : RigidRays<3>(obstacle.description.friction), shape(obstacle.description.surface), way(way)
 {
 }
 
@@ -53,14 +53,14 @@ double ObstacleSolid::largest_way() const
 {
   double largest = 0.;
   if (way.dt > 0.)
-    for (const dealii::Point<3> &corner : corners_of(surface))
+    for (const dealii::Point<3> &corner : corners_of(*shape))
       largest = std::max(largest, way.way_of(corner).norm());
   return largest;
 }
 
 std::pair<dealii::Point<3>, dealii::Point<3>> ObstacleSolid::box() const
 {
-  const std::array<dealii::Point<3>, 8> corners = corners_of(surface);
+  const std::array<dealii::Point<3>, 8> corners = corners_of(*shape);
   std::pair<dealii::Point<3>, dealii::Point<3>> box;
   box.first = box.second = way.start.placed(corners[0]);
   for (const dealii::Point<3> &corner : corners)
@@ -73,8 +73,11 @@ std::pair<dealii::Point<3>, dealii::Point<3>> ObstacleSolid::box() const
   return box;
 }
 
-SampledSurface<3> ObstacleSolid::facing(const SampledSurface<3> &body, const double reach) const
+SampledSurface<3> ObstacleSolid::facing(const SampledSurface<3> &body,
+                                        const dealii::BoundingBox<3> & /*near*/,
+                                        const double reach) const
 {
+  const RigidSurface &surface = *shape;
   const Pose<3> &pose = way.start;
   const double within = surface.thickness() + reach + body.spacing;
   SampledSurface<3> result;
@@ -104,6 +107,7 @@ SampledSurface<3> ObstacleSolid::facing(const SampledSurface<3> &body, const dou
 
 RaySide<3> ObstacleSolid::meet(const Ray<3> &ray, const double share, const SurfacePlace<3> &guess) const
 {
+  const RigidSurface &surface = *shape;
   const Pose<3> pose = way.at(share);
   Ray<3> drawn = ray;
   drawn.origin = pose.drawn(ray.origin);

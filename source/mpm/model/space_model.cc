@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
+#include <softgrain/geometry/rigid_surface.h>
 #include <softgrain/geometry/solid.h>
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/solid_builder.h>

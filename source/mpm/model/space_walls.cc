@@ -3,6 +3,7 @@
 #include <softgrain/driving/obstacle_partner.h>
 #include <softgrain/driving/wall_freedom.h>
 #include <softgrain/driving/wall_partner.h>
+#include <softgrain/mpm/contact/obstacle_solid.h>
 #include <softgrain/mpm/model/space_model.h>
 #include <softgrain/scene/wall_drive.h>
 

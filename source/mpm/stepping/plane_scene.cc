@@ -18,7 +18,7 @@ PlaneScene::PlaneScene(const Problem &problem,
     , dt(dt)
     , motion(motion)
     , cell(state.cell_motion(motion))
-    , lines(state.obstacles.begin(), state.obstacles.end())
+    , lines(rays_of(state.obstacles, 0.5 * problem.lattice->cell_size()))
 {
 }
 
@@ -50,8 +50,8 @@ std::vector<double> PlaneScene::own_ways() const
 double PlaneScene::largest_way() const
 {
   double way = 0.;
-  for (const ObstacleLine &line : lines)
-    way = std::max(way, line.largest_way());
+  for (const auto &line : lines)
+    way = std::max(way, line->largest_way());
   for (const Body<2> &body : state.bodies)
     if (body.driven)
       way = std::max(way, dt * work.drive[body.index].norm());

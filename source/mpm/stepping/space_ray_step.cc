@@ -35,12 +35,10 @@ SpaceRayStep::SpaceRayStep(SpaceState &state,
     , wall_names(space.wall_names)
     , obstacles(state.obstacles)
     , wall_force(state.wall_force)
+    , solids(rays_of(obstacles, motion.obstacles))
 {
-  for (unsigned int o = 0; o < obstacles.size(); ++o)
-  {
-    solids.emplace_back(obstacles[o], motion.obstacles[o]);
-    way_of_obstacles = std::max(way_of_obstacles, solids.back().largest_way());
-  }
+  for (const auto &solid : solids)
+    way_of_obstacles = std::max(way_of_obstacles, solid->largest_way());
   scene.pairs = &space.pairs;
   scene.lines = &solids;
   scene.reach += 2. * way_of_obstacles;
@@ -74,7 +72,7 @@ void SpaceRayStep::move_free_walls()
 
 dealii::Tensor<1, 3> SpaceRayStep::way_of_partner(const FrameState<3> &frame, const unsigned int k) const
 {
-  if (const ObstacleSolid *obstacle = scene.line_of(frame.layout()))
+  if (const RigidRays<3> *obstacle = scene.line_of(frame.layout()))
     return obstacle->way_of(frame.ray(k).side[0].place);
   return way_of_wall(scene, frame.layout().wall);
 }

@@ -12,9 +12,8 @@
 #include <softgrain/mpm/contact/contact_frame.h>
 #include <softgrain/mpm/contact/contact_rows.h>
 #include <softgrain/mpm/contact/hertz_compliance.h>
-#include <softgrain/mpm/contact/obstacle_line.h>
-#include <softgrain/mpm/contact/obstacle_solid.h>
 #include <softgrain/mpm/contact/ray.h>
+#include <softgrain/mpm/contact/rigid_rays.h>
 #include <softgrain/mpm/contact/subgrid_compliance.h>
 #include <softgrain/scene/contact_pairs.h>
 
@@ -26,10 +25,6 @@ namespace softgrain::mpm
 /// What rays meet of a body.
 template <int dim>
 using BodySurface = std::conditional_t<dim == 2, OutlineSurface, SolidSurface>;
-
-/// What rays meet of an obstacle.
-template <int dim>
-using ObstacleRays = std::conditional_t<dim == 2, ObstacleLine, ObstacleSolid>;
 
 /// The law of dents that a grid misses.
 template <int dim>
@@ -73,15 +68,15 @@ struct FrameScene
   double dt = 0.;                      ///< [s]
   FrameWays<dim> ways = {};
   RayInstants instants = {};
-  const std::vector<ObstacleRays<dim>> *lines = nullptr; ///< of the obstacles; null: there are none
-  const Adhesion *adhesion = nullptr;                    ///< null: nothing adheres
+  const AllRigidRays<dim> *lines = nullptr; ///< of the obstacles; null: there are none
+  const Adhesion *adhesion = nullptr;       ///< null: nothing adheres
   const BodyShare *looking = nullptr; ///< every owner looks for its bodies, and learns of all; null: for all
 
   /// What rays meet of the obstacle that a frame belongs to; null: it has another partner.
-  const ObstacleRays<dim> *line_of(const ContactFrame<dim> &frame) const
+  const RigidRays<dim> *line_of(const ContactFrame<dim> &frame) const
   {
     const unsigned int o = lines == nullptr ? PartnerNumbers::none : obstacle_of(*this, frame);
-    return o == PartnerNumbers::none ? nullptr : &(*lines)[o];
+    return o == PartnerNumbers::none ? nullptr : (*lines)[o].get();
   }
 };
 
@@ -107,7 +102,7 @@ const RestSurface<dim> &
 surface_of(const FrameScene<dim> &scene, const ContactFrame<dim> &frame, const unsigned int side)
 {
   if (side == 0 && frame.partner == ContactFrame<dim>::none)
-    return scene.line_of(frame)->surface;
+    return scene.line_of(frame)->surface();
   return scene.outlines[side == 0 ? frame.partner : frame.body];
 }
 

@@ -213,7 +213,7 @@ private:
   void find_mean(const FrameScene<dim> &scene);
   bool meets_bent_obstacle(const FrameScene<dim> &scene) const;
   bool partner_is_driven = false;
-  const ObstacleRays<dim> *line = nullptr;
+  const RigidRays<dim> *line = nullptr;
   double met_at = 1., theta = 1.;
   bool begun = false, begins = false; ///< rays were looked at in this step, and are for the first time
   double looks_within = 0.;           ///< gap up to which more is asked of rays than their gaps [m]

@@ -41,7 +41,7 @@ private:
   const double dt;
   const std::vector<WallMotion<2>> &motion;
   std::optional<CellMotion> cell;
-  const std::vector<ObstacleLine> lines;
+  const AllRigidRays<2> lines;
 };
 } // namespace softgrain::mpm
 

@@ -66,7 +66,7 @@ private:
   const std::vector<std::string> &wall_names;
   const std::vector<Obstacle<3>> &obstacles;           ///< as the step begins
   const std::vector<dealii::Tensor<1, 3>> &wall_force; ///< likewise
-  std::vector<ObstacleSolid> solids;
+  const AllRigidRays<3> solids;
   double way_of_obstacles = 0.; ///< the farthest in the step [m]
 };
 } // namespace softgrain::mpm
