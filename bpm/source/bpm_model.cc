@@ -37,13 +37,14 @@ struct Felt
   ObstacleMotion<2> way;
   dealii::Tensor<1, 2> force;
   double torque, work;
+  FreeObstacle own;
 };
 
 std::vector<Felt> felt_by(const std::vector<Obstacle<2>> &obstacles)
 {
   std::vector<Felt> felt;
   for (const Obstacle<2> &one : obstacles)
-    felt.push_back({one.now, one.way, one.force, one.torque, one.work});
+    felt.push_back({one.now, one.way, one.force, one.torque, one.work, one.own});
   return felt;
 }
 
@@ -56,6 +57,7 @@ void put_back(const std::vector<Felt> &felt, std::vector<Obstacle<2>> &obstacles
     obstacles[o].force = felt[o].force;
     obstacles[o].torque = felt[o].torque;
     obstacles[o].work = felt[o].work;
+    obstacles[o].own = felt[o].own;
   }
 }
 } // namespace

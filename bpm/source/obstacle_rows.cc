@@ -113,5 +113,7 @@ void Dynamics::move_obstacles(const double dt, DynamicsReport &report)
     report.wall_work += work;
     report.contact_loss += work;
   }
+  for (ObstaclePartner<2> &partner : partners)
+    partner.go_on();
 }
 } // namespace softgrain::bpm

@@ -44,6 +44,22 @@ double torque_of(const Pose<3> &now, const dealii::Tensor<1, 3> &arm, const deal
 {
   return now.axis * dealii::cross_product_3d(arm, force);
 }
+
+template <int dim>
+bool is_free(const ObstacleDescription<dim> &obstacle)
+{
+  return obstacle.drive != nullptr && obstacle.drive->is_free();
+}
+
+/// Puts an obstacle @p way further along the way in which it is free.
+template <int dim>
+void go(const ObstacleDescription<dim> &obstacle, const double way, Pose<dim> &pose)
+{
+  const dealii::Tensor<1, 3> shift = obstacle.drive->shift();
+  for (unsigned int d = 0; d < dim; ++d)
+    pose.shift[d] += way * shift[d];
+  pose.angle += way * obstacle.drive->turn();
+}
 } // namespace
 
 template <int dim>
@@ -62,6 +78,13 @@ ObstacleMotion<dim> Obstacle<dim>::motion(const double time, const double dt) co
   planned.start = pose_of(description, time);
   planned.end = dt > 0. ? pose_of(description, time + dt) : planned.start;
   planned.dt = dt;
+  if (!is_free(description))
+    return planned;
+  // Half a step ahead a load that depends on the way acts to second order.
+  planned.load = description.drive->load(time + 0.5 * dt, {own.way + 0.5 * dt * own.speed, own.speed});
+  planned.way = dt * (own.speed + 0.5 * dt * planned.load / description.drive->mass());
+  go(description, own.way, planned.start);
+  go(description, own.way + planned.way, planned.end);
   return planned;
 }
 
@@ -69,6 +92,7 @@ template <int dim>
 void Obstacle<dim>::arrive()
 {
   now = way.end;
+  own.way += way.way;
   force = dealii::Tensor<1, dim>();
   torque = 0.;
 }
@@ -81,6 +105,18 @@ void Obstacle<dim>::give(const dealii::Tensor<1, dim> &given,
   const dealii::Tensor<1, dim> arm = place - (now.pivot + now.shift);
   force -= given / dt;
   torque -= torque_of(now, arm, given) / dt;
+}
+
+template <int dim>
+void Obstacle<dim>::go_on()
+{
+  if (!is_free(description))
+    return;
+  const ObstacleDrive &drive = *description.drive;
+  double felt = drive.turn() * torque;
+  for (unsigned int d = 0; d < dim; ++d)
+    felt += drive.shift()[d] * force[d];
+  own.speed += way.dt / drive.mass() * (way.load + felt);
 }
 
 template <int dim>
@@ -102,7 +138,7 @@ std::vector<Obstacle<dim>> make_obstacles(const Scene<dim> &scene)
   std::vector<Obstacle<dim>> obstacles;
   for (const ObstacleDescription<dim> &description : scene.obstacles)
   {
-    obstacles.push_back({description, {}, {}, {}, 0., 0.});
+    obstacles.push_back({description, {}, {}, {}, 0., 0., {}});
     obstacles.back().plan(0., 0.);
     obstacles.back().arrive();
   }
@@ -141,6 +177,12 @@ void save_obstacles(StateWriter &out, const std::string &name, const std::vector
     numbers.insert(numbers.end(), {obstacle.way.start.angle, obstacle.work});
   }
   out.write(name, numbers);
+  std::vector<double> own;
+  for (const Obstacle<dim> &obstacle : obstacles)
+    if (is_free(obstacle.description))
+      own.insert(own.end(), {obstacle.own.way, obstacle.own.speed});
+  if (!own.empty())
+    out.write(name + "_own", own);
 }
 
 template <int dim>
@@ -152,6 +194,14 @@ void load_obstacles(const StateReader &in,
   if (obstacles.empty())
     return;
   const std::vector<double> numbers = in.read_doubles(name, n_numbers<dim> * obstacles.size());
+  std::vector<Obstacle<dim> *> loose;
+  for (Obstacle<dim> &obstacle : obstacles)
+    if (is_free(obstacle.description))
+      loose.push_back(&obstacle);
+  const std::vector<double> own =
+      loose.empty() ? std::vector<double>() : in.read_doubles(name + "_own", 2 * loose.size());
+  for (std::size_t o = 0; o < loose.size(); ++o)
+    loose[o]->own = {own[2 * o], own[2 * o + 1]};
   for (std::size_t o = 0; o < obstacles.size(); ++o)
   {
     const double *v = &numbers[n_numbers<dim> * o];

@@ -3,6 +3,7 @@
 #include <softgrain/base/mistakes.h>
 #include <softgrain/parameters/parameter_values.h>
 #include <softgrain/parameters/within_section.h>
+#include <softgrain/scene/obstacle_drive.h>
 #include <softgrain/scene/obstacle_parameters.h>
 #include <softgrain/scene/solid_obstacles.h>
 
@@ -149,6 +150,7 @@ void ObstacleParameters::declare_parameters(dealii::ParameterHandler &prm) const
       declare_solid_obstacle(prm);
     else
       declare(prm);
+    declare_obstacle_drive(prm);
     prm.leave_subsection();
   }
   prm.leave_subsection();
@@ -166,6 +168,7 @@ ObstacleParameters::parse_parameters(dealii::ParameterHandler &prm) const
       obstacles.push_back(parse_solid_obstacle(prm, name));
     else
       obstacles.push_back(parse_line(prm, name));
+    obstacles.back().drive = parse_obstacle_drive(prm, "Obstacles/" + name);
   };
   Mistakes mistakes;
   const WithinSection section(prm, "Obstacles");

@@ -184,6 +184,37 @@ subsection Stop
 end
 """
 
+PADDLE = """
+subsection Obstacles
+  set Names = paddle
+  subsection paddle
+    set Points            = 0, 0; 1, 0
+    set Pivot             = 0, 0
+    set Drive             = torque
+    set Moment of inertia = {inertia}
+    set Torque            = 10*{inertia}
+  end
+end
+subsection Time
+  set Time step = 1e-3
+end
+subsection Stop
+  set End time = 0.15
+end
+"""
+
+PUSHED = {
+    "mpm": SCENE.replace("0.1\nend", "0.05\nend") + """
+subsection Bodies
+  set Names = disk
+  subsection disk
+    set Radius = 0.2
+    set Center = 0.6, 0.22
+  end
+end
+""",
+    "bpm": STICKING[:STICKING.index("subsection Walls")].replace("Center   = 0, 0.5", "Center   = 0.6, 0.22").replace(
+        "Radius   = 0.5", "Radius   = 0.2").replace("0; 1", "0; 0").replace("= 1\n  set Largest diameter  = 1\n", "= 0.4\n  set Largest diameter  = 0.4\n")}
 
 FLYING = {
     "mpm": SCENE + """
@@ -216,9 +247,23 @@ def run(name, text, *changes):
         words += ["--set", change]
     done = subprocess.run(words, capture_output=True, text=True)
     assert done.returncode == 0, f"{name}: {done.stdout}{done.stderr}"
+    return columns_of(folder), folder
+
+
+def columns_of(folder):
     with open(folder / "history.csv") as rows:
         table = list(csv.DictReader(rows))
-    return {key: [float(row[key] or "nan") for row in table] for key in table[0]}, folder
+    return {key: [float(row[key] or "nan") for row in table] for key in table[0]}
+
+
+def go_on(name, folder, *changes):
+    """Columns of the history of a run that goes on from its checkpoint."""
+    words = [PROGRAM, "run", str(WORK / f"{name}.prm"), "--output", str(folder), "--restart"]
+    for change in changes:
+        words += ["--set", change]
+    done = subprocess.run(words, capture_output=True, text=True)
+    assert done.returncode == 0, f"{name}, going on: {done.stdout}{done.stderr}"
+    return columns_of(folder)
 
 
 def same(a, b):
@@ -279,13 +324,8 @@ def check_alpha():
 def check_going_on():
     """A run may go on with another motion of its walls, whatever drives them."""
     _, folder = run("going_on", ELLIPSE)
-    changes = ["--set", "Stop/Steps=9", "--set", "Walls/top/Travel=0.01*sin(100*t)^2"]
-    words = [PROGRAM, "run", str(WORK / "going_on.prm"), "--output", str(folder), "--restart", *changes]
-    done = subprocess.run(words, capture_output=True, text=True)
-    assert done.returncode == 0, f"going on: {done.stdout}{done.stderr}"
-    with open(folder / "history.csv") as rows:
-        last = list(csv.DictReader(rows))[-1]
-    assert float(last["step"]) == 9, f"going on: ends at step {last['step']}"
+    last = go_on("going_on", folder, "Stop/Steps=9", "Walls/top/Travel=0.01*sin(100*t)^2")["step"][-1]
+    assert last == 9, f"going on: ends at step {last}"
 
 
 def check_lattice():
@@ -313,6 +353,40 @@ def check_sticking():
     # A step at this speed takes the force of its start, up to 1e-3 too much.
     assert abs(lost - 0.5 * 2 * 0.1) < 2e-3 * lost, f"contact law: the disk has lost {lost} J/m, not 0.1"
     assert abs(lost + work) < 1e-9 * lost, f"contact law: its work is {work} J/m, what the disk has lost {lost} J/m"
+
+
+def paddle(inertia):
+    return PADDLE.replace("{inertia}", repr(inertia))
+
+
+def check_paddle():
+    """A paddle turns under a torque T. Alone, its angle is T t^2 / (2 I). When it meets a disk, T t is what the paddle and the
+    disk have of angular momentum, and that of the paddle is, step by step, what its torque and the disk have given it."""
+    for model, text in PUSHED.items():
+        alone, _ = run(f"paddle_alone_{model}", text + paddle(1.0), "Stop/End time=0.05")
+        for time, angle in zip(alone["time_s"], alone["paddle_angle_rad"]):
+            assert abs(angle - 5 * time**2) < 1e-12, f"obstacle drive, {model}: alone it has turned by {angle}, not {5 * time**2}"
+        density = 1 if model == "bpm" else 1000
+        mass = math.pi * 0.2**2 * density
+        inertia = 4 * 0.6**2 * mass
+        torque = 10 * inertia
+        history, _ = run(f"paddle_{model}", text + paddle(inertia))
+        given, met = 0.0, False
+        rows = list(zip(history["time_s"], history["paddle_angle_rad"], history["paddle_torque_N"]))
+        for (time, angle, _), (then, next_angle, felt) in zip(rows, rows[1:]):
+            step = then - time
+            speed = (next_angle - angle) / step - 0.5 * step * torque / inertia
+            assert abs(inertia * speed - given) < 1e-8 * torque, f"obstacle drive, {model}: {inertia * speed} and not {given} at {time} s"
+            given += step * (torque + felt)
+            met = met or felt < 0
+        assert met, f"obstacle drive, {model}: the paddle has met nothing"
+        _, folder = run(f"paddle_cut_{model}", text + paddle(inertia), "Stop/Steps=90")
+        cut = go_on(f"paddle_cut_{model}", folder, "Stop/Steps=0")
+        assert same(cut, history), f"obstacle drive, {model}: a run that goes on from its checkpoint is another"
+        # The disk goes about as fast as the place that pushes it, at right angles to the paddle.
+        of_disk = math.sqrt(2 * mass * history["kinetic_energy_J_per_m"][-1]) * 0.6
+        assert abs(given + of_disk - torque * rows[-1][0]) < 0.02 * torque * rows[-1][0], (
+            f"obstacle drive, {model}: paddle and disk have {given} and {of_disk}, the torque has given {torque * rows[-1][0]}")
 
 
 def check_flying():
@@ -343,6 +417,6 @@ def check_table():
         assert header, f"{module}.cc includes nothing of softgrain"
 
 
-for check in (check_table, check_ellipse, check_alpha, check_going_on, check_lattice, check_aggregate, check_sticking, check_flying):
+for check in (check_table, check_ellipse, check_alpha, check_going_on, check_lattice, check_aggregate, check_sticking, check_flying, check_paddle):
     check()
     print(check.__name__[6:].replace("_", " "), "as expected")

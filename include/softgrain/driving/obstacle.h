@@ -3,6 +3,7 @@
 #define softgrain_driving_obstacle_h
 
 #include <softgrain/analysis/snapshot.h>
+#include <softgrain/scene/obstacle_drive.h>
 #include <softgrain/scene/obstacle_parameters.h>
 #include <softgrain/scene/scene.h>
 
@@ -19,7 +20,9 @@ template <int dim>
 struct ObstacleMotion
 {
   Pose<dim> start, end;
-  double dt = 0; ///< [s]; 0: it stands
+  double dt = 0;   ///< [s]; 0: it stands
+  double way = 0;  ///< that an obstacle which is free goes along its own way, see FreeObstacle
+  double load = 0; ///< see ObstacleDrive::load()
 
   /// Pose @p share of the step after its start.
   Pose<dim> at(double share) const;
@@ -42,7 +45,8 @@ struct ObstacleMotion
 /**
  * @brief A rigid line of finite length, in space a sheet, on its way; the same in both models.
  *
- * Bodies may touch it from both sides. Where it is, is a formula of time: nothing that it meets moves it.
+ * Bodies may touch it from both sides. Where it is, is a formula of time, and what it meets moves it where
+ * its drive lets it go.
  */
 template <int dim>
 struct Obstacle
@@ -53,6 +57,7 @@ struct Obstacle
   dealii::Tensor<1, dim> force; ///< on it, mean over the last step [N/m; N]
   double torque = 0;            ///< of these forces about the axis through the pivot [N; N m]
   double work = 0;              ///< done by it since the start [J/m; J]
+  FreeObstacle own;             ///< what it has gone where it is free
 
   /// What it would do in a step of @p dt from @p time on [s].
   ObstacleMotion<dim> motion(double time, double dt) const;
@@ -65,6 +70,9 @@ struct Obstacle
 
   /// Books an impulse that it has given to a body at @p place in a step of @p dt [s].
   void give(const dealii::Tensor<1, dim> &given, const dealii::Point<dim> &place, double dt);
+
+  /// Ends the step, when all is felt: where it is free, its speed changes.
+  void go_on();
 
   /// What history, pictures and measures show of it.
   ObstacleState<dim> state() const;

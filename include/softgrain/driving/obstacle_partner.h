@@ -25,6 +25,7 @@ public:
 
   double take(const PartnerImpulse<dim> &impulse) override;
   void book_mean(std::vector<DrivenWork> &works) override;
+  void go_on() override { obstacle.go_on(); }
 
 private:
   Obstacle<dim> &obstacle;

@@ -55,6 +55,10 @@ public:
   /// Books the rest of the work of its load, after @p works of book_mean() have got their shares.
   /// @return the part of it that no body gets [J/m^(3-dim)]
   virtual double book_load() { return 0.; }
+
+  /// Ends the step, when all is felt: a partner that impulses move goes on with another velocity. Walls under
+  /// loads are unknowns of the step, and know theirs already.
+  virtual void go_on() {}
 };
 } // namespace softgrain
 

@@ -17,6 +17,7 @@
 namespace softgrain
 {
 class ContactLaw;
+class ObstacleDrive;
 class RigidSurface;
 template <int dim>
 class PackingMethod;
@@ -80,6 +81,7 @@ struct ObstacleDescription
   dealii::Point<dim> pivot;       ///< about which it turns, before it is displaced [m]
   std::vector<Expression> motion; ///< formulas of t: displacement [m], angle [degrees]
   double friction = 0;
+  std::shared_ptr<const ObstacleDrive> drive; ///< beside these; null: it goes as they say
 };
 
 /// A rigid sheet in space that bodies may touch from both sides.
@@ -92,6 +94,7 @@ struct ObstacleDescription<3>
   dealii::Tensor<1, 3> axis;      ///< about which it turns, unit
   std::vector<Expression> motion; ///< formulas of t: displacement [m], angle [degrees]
   double friction = 0;
+  std::shared_ptr<const ObstacleDrive> drive; ///< beside these; null: it goes as they say
 };
 
 /// Many grains at once, made when everything else is known to be right; see add_packing().

@@ -7,6 +7,7 @@
 #include <softgrain/mpm/model/capabilities.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
 #include <softgrain/scene/motion_at_start.h>
+#include <softgrain/scene/obstacle_drive.h>
 #include <softgrain/scene/wall_drive.h>
 
 #include <cmath>
@@ -106,6 +107,15 @@ std::string obstacles(const Scene<2> &scene, const Settings &settings)
                    "' is not allowed where the scene has 'Obstacles/" + scene.obstacles.front().name + "'";
 }
 
+template <int dim>
+std::string free_obstacles(const Scene<dim> &scene, const Settings &)
+{
+  for (const ObstacleDescription<dim> &obstacle : scene.obstacles)
+    if (obstacle.drive->is_free())
+      return "'Obstacles/" + obstacle.name + "/Drive'";
+  return "";
+}
+
 std::string walls_along_bodies(const Scene<2> &scene, const Settings &)
 {
   for (const WallDescription<2> &wall : scene.walls)
@@ -119,6 +129,8 @@ std::string walls_along_bodies(const Scene<2> &scene, const Settings &)
 constexpr const char *no_velocity =
     " is not allowed with 'Time/Scheme' = 'SCHEME', where velocities have no meaning: leave it at 0, or give "
     "a 'Body force'";
+constexpr const char *no_inertia =
+    " is not allowed with 'Time/Scheme' = 'SCHEME', where nothing has inertia: set it to 'told'";
 constexpr const char *no_motion =
     " has no effect with 'Time/Scheme' = 'SCHEME', where nothing has inertia: leave it at 0";
 
@@ -128,11 +140,13 @@ const std::vector<Capability<2>> in_the_plane = {
     {loads_of_velocity<2>, has_inertia, no_velocity},
     {motion_at_start<2>, has_inertia, no_motion},
     {obstacles, meets_by_rays, ": it sees planes only"},
+    {free_obstacles<2>, has_inertia, no_inertia},
     {walls_along_bodies, sees_cells, " needs 'Contact/Geometry' = 'rays' and an implicit 'Time/Scheme'"}};
 
 const std::vector<Capability<3>> in_space = {
     {space, knows_space, ": it must be 'quasi_static' or 'moreau_jean'"},
     {loads_of_velocity<3>, has_inertia, no_velocity},
+    {free_obstacles<3>, has_inertia, no_inertia},
     {motion_at_start<3>, has_inertia, no_motion}};
 
 template <int dim>

@@ -27,6 +27,7 @@ public:
   /// From balance to balance: what obstacles, walls and contacts did beside the work of the forces at the
   /// end.
   void book_means();
+  void go_on() const { partners.go_on(); }
 
 private:
   void book_row(const ContactWork &contact, unsigned int row, unsigned int component);
@@ -114,6 +115,7 @@ void account_contacts(const Problem &problem, State &state, const Workspace &wor
   accounts.load_sides_of_cell();
   if (step.balanced)
     accounts.book_means();
+  accounts.go_on();
   for (const FreeWall<2> &free : work.contact.free_walls.list)
     account_free_wall(problem, state, free,
                       free.slides() ? step.motion[free.wall].slide : step.motion[free.wall].rate,

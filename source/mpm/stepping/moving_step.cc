@@ -124,7 +124,10 @@ void MovingStep::accept(SpaceState &state)
   state.motion.contact_loss += taken;
   accept_ways(state);
   for (unsigned int o = 0; o < obstacle_work.size(); ++o)
+  {
     state.obstacles[o].work += obstacle_work[o];
+    state.obstacles[o].go_on();
+  }
   for (const SpaceContact &contact : state.contacts)
     if (contact.partner == ContactFrame<3>::none)
       state.motion.impulse += plan.dt * contact.force;

@@ -72,6 +72,12 @@ double PlanePartners::book_loads() const
   return lost;
 }
 
+void PlanePartners::go_on() const
+{
+  for (const std::unique_ptr<RigidPartner<2>> &partner : numbered)
+    partner->go_on();
+}
+
 std::string partner_in_words(const State &state, const unsigned int number, const unsigned int body)
 {
   if (number == PartnerNumbers::none)

@@ -24,6 +24,8 @@ public:
   void book_means(std::vector<DrivenWork> &works) const;
   /// Books the rest of the work of loads, see RigidPartner::book_load(). @return what of it is lost [J/m]
   double book_loads() const;
+  /// Ends the step, see RigidPartner::go_on().
+  void go_on() const;
 
 private:
   using List = std::vector<std::unique_ptr<RigidPartner<2>>>;
