@@ -112,7 +112,7 @@ public:
   double end_time() const;
   /// Whether what the bodies do may end it before.
   bool depend_on_bodies() const;
-  /// Shows the conditions a step. @p memory of all conditions, empty at the start
+  /// Lets the conditions see a step that has been made. @param memory of all conditions, empty at the start
   void note(const RunState &now, StopMemory &memory) const;
   double fraction_done(const RunState &state, const StopMemory &memory) const;
   /// Notes nothing in space, where no condition looks back.

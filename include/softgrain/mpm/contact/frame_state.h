@@ -78,8 +78,9 @@ public:
   /// Whether all rays that carry force are met.
   bool meets(const std::vector<double> &force) const;
 
-  /// Dents stay what they are for the forces at the start of the step: where bodies resist so much that they
-  /// hardly give way, a dent that becomes smaller under a larger force would let a contact go.
+  /// Gives dents, for the rest of the step, the depth that the forces at its start give them. This is for
+  /// bodies that hardly give way: there a dent that becomes smaller under a larger force would open the
+  /// contact.
   void keep_dent();
 
   /// Leaves out, for the rest of the step, rays whose surfaces have slid away from under them, as at the end

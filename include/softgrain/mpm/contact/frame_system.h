@@ -292,7 +292,8 @@ private:
   std::vector<Eigen::MatrixXd> W;
   std::vector<Eigen::VectorXd> moved;      ///< V^T y
   std::vector<Eigen::Triplet<double>> own; ///< Q
-  /// What dents that become smaller under a larger force take from Q and from the gaps of rays.
+  /// Some dents become smaller under a larger force. This is what they take from Q, and from the gaps of
+  /// rays.
   std::vector<Eigen::Triplet<double>> softening;
   std::vector<std::pair<unsigned int, double>> softening_gap; ///< column, way [m]
   std::vector<double> gap;

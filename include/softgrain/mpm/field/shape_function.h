@@ -47,8 +47,8 @@ public:
   virtual bool nowhere_negative() const { return true; }
   /// Least number of points per cell and direction that feel every deformation of the cell.
   virtual unsigned int least_points() const { return 1; }
-  /// Whether cells of different sizes may meet: on a face the functions of a cell are those of its nodes
-  /// there.
+  /// Whether cells of different sizes may meet. They may where only the nodes on a face have functions that
+  /// are not zero there.
   virtual bool may_hang() const { return false; }
   /// Whether slopes are the same on both sides of a face between cells.
   virtual bool smooth() const { return false; }

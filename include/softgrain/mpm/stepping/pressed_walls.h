@@ -35,13 +35,13 @@ void account_free_wall(const Problem &problem, State &state, const FreeWall<2> &
 /// the smallest force that counts (dimensionless); `quasi_static`.
 double unbalanced_walls(const Problem &problem, const State &state);
 
-/// Which wall that is and what acts on it, for messages; empty when all are in balance.
+/// The wall with that difference and what acts on it, in words; empty when all are in balance.
 std::string least_balanced_wall(const Problem &problem, const State &state);
 
 /// Whether a free wall went as far as its stop in the last step.
 bool walls_are_on_their_way(const Workspace &work);
 
-/// How far walls that slide freely went in the last step as far as their stop [m].
+/// The way of the last step of the walls that slide freely, if they went as far as their stop; else 0 [m].
 double slid_on_their_way(const Workspace &work, double dt);
 
 /// @param slid the sum of slid_on_their_way() since balance was lost [m]

@@ -83,8 +83,8 @@ public:
   step(const Problem &problem, State &state, Workspace &work, double dt, double wanted) const = 0;
 
   /**
-   * @brief Goes from where a step of length @p dt [s] ended to what may be written, while time stands still;
-   * most schemes are there.
+   * @brief Makes a state that may be written of the one in which a step of length @p dt [s] ended, while time
+   * stands still. For most schemes both are the same.
    * @throw ComputationError when it is not found
    */
   virtual StepOutcome settle(const Problem &problem, State &state, Workspace &work, double dt) const;
