@@ -387,6 +387,9 @@ def check_paddle():
         of_disk = math.sqrt(2 * mass * history["kinetic_energy_J_per_m"][-1]) * 0.6
         assert abs(given + of_disk - torque * rows[-1][0]) < 0.02 * torque * rows[-1][0], (
             f"obstacle drive, {model}: paddle and disk have {given} and {of_disk}, the torque has given {torque * rows[-1][0]}")
+    words = [PROGRAM, "check", str(WORK / "paddle_mpm.prm"), "--set", "Time/Scheme=quasi_static"]
+    said = subprocess.run(words, capture_output=True, text=True)
+    assert said.returncode == 2 and "'Obstacles/paddle/Drive' is not allowed" in said.stderr, f"obstacle drive: {said.returncode}, {said.stderr}"
 
 
 def check_flying():

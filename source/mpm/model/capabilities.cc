@@ -111,7 +111,7 @@ template <int dim>
 std::string free_obstacles(const Scene<dim> &scene, const Settings &)
 {
   for (const ObstacleDescription<dim> &obstacle : scene.obstacles)
-    if (obstacle.drive->is_free())
+    if (obstacle.drive != nullptr && obstacle.drive->is_free())
       return "'Obstacles/" + obstacle.name + "/Drive'";
   return "";
 }
