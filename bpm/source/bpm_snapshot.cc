@@ -122,7 +122,7 @@ ContactState<2> BpmModel::contact_state(const GatheredPrimaries &seen, const std
 
 void BpmModel::add_inner_forces(const GatheredPrimaries &seen,
                                 Snapshot<2> &snapshot,
-                                const FoldedBodies *const cell) const
+                                const FoldedBodies<2> *const cell) const
 {
   // Pairs of one body carry contact and attraction together; what the eye wants is the sum.
   const Primaries &disks = seen.disks();
@@ -198,7 +198,7 @@ void BpmModel::show(const GatheredPrimaries &seen, const Outlines &loops, Snapsh
   if (last_dt > 0.)
     add_stresses(seen, snapshot);
 
-  const std::optional<FoldedBodies> cell = add_contacts(seen, snapshot);
+  const std::optional<FoldedBodies<2>> cell = add_contacts(seen, snapshot);
   if (settings.inner_contacts_in_output && last_dt > 0.)
     add_inner_forces(seen, snapshot, cell ? &*cell : nullptr);
 }
@@ -220,11 +220,12 @@ Snapshot<2> BpmModel::touching_state() const
   return snapshot;
 }
 
-std::optional<FoldedBodies> BpmModel::add_contacts(const GatheredPrimaries &seen, Snapshot<2> &snapshot) const
+std::optional<FoldedBodies<2>> BpmModel::add_contacts(const GatheredPrimaries &seen,
+                                                      Snapshot<2> &snapshot) const
 {
   const Primaries &disks = seen.disks();
   const contact::DiskContacts &rows = seen.rows();
-  std::optional<FoldedBodies> cell = fold_bodies(snapshot);
+  std::optional<FoldedBodies<2>> cell = fold_bodies(snapshot);
   for (std::size_t row = 0; row < rows.a.size() && last_dt > 0.; ++row)
   {
     const bool inner = rows.b[row] < disks.size() && disks.body[rows.a[row]] == disks.body[rows.b[row]];

@@ -108,12 +108,12 @@ void Dynamics::load_cell(const double dt, std::vector<Wall<2>> &walls, std::vect
 void Dynamics::take_along(const double dt, std::vector<Wall<2>> &walls, DynamicsReport &report)
 {
   // Sides have their speeds at the end of the step, and their places at its start.
-  const CellMotion motion = motion_of(cell->cell, walls, velocity_of);
+  const CellMotion<2> motion = motion_of(cell->cell, walls, velocity_of);
   const double offset = motion.offset_after(dt);
   for_sides(walls, [&](Wall<2> &side) { side.offset = offset; });
   if (!motion.deforms())
     return;
-  const MeasuredAgain again(motion, dt);
+  const MeasuredAgain<2> again(motion, dt);
   std::vector<dealii::Tensor<1, 2>> way(center_of_body.size()), change(center_of_body.size());
   for (std::size_t i = 0; i < primaries.size(); ++i)
     for (unsigned int d = 0; d < 2; ++d)

@@ -16,6 +16,7 @@ DRAWING = {
     "generalized_vortex": ["--field", "velocity_m_per_s", "--frame", "2"],
     "drum_of_spheres": ["--field", "body", "--view", "-60", "20"],
     "hopper_of_spheres": ["--field", "body", "--frame", "6", "--view", "-60", "15"],
+    "sheared_cell_of_spheres": ["--field", "body", "--view", "-60", "20"],
     "sheared_spheres": ["--contacts", "chains", "--view", "-60", "20"],
     "sphere_between_plates": ["--cut", "y=0"],
     "sphere_in_a_die": ["--cut", "y=0"],

@@ -235,11 +235,11 @@ namespace
 void check_works_on_ranks(const Input &input, const unsigned int n_ranks)
 {
   const std::string model = input.run().model;
-  if (input.dimension() == 3)
-    throw InputError("'Dimension' = '3' runs on one rank, not on " + std::to_string(n_ranks) +
-                     ": leave mpirun out and choose the number of threads with --threads");
-  if (!Registry<ModelFactory>::instance().create(model)->works_on_ranks())
-    throw InputError("'Model' = '" + model + "' runs on one rank, not on " + std::to_string(n_ranks) +
+  const auto factory = Registry<ModelFactory>::instance().create(model);
+  const bool in_space = input.dimension() == 3;
+  if (!(in_space ? factory->works_on_ranks_in_space() : factory->works_on_ranks()))
+    throw InputError("'Model' = '" + model + (in_space ? "' with 'Dimension' = '3'" : "'") +
+                     " runs on one rank, not on " + std::to_string(n_ranks) +
                      ": leave mpirun out and choose the number of threads with --threads");
 }
 } // namespace

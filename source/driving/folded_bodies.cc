@@ -4,38 +4,49 @@
 
 namespace softgrain
 {
-FoldedBodies::FoldedBodies(Snapshot<2> &snapshot, const PeriodicCell<2> &cell) : cell(cell)
+template <int dim>
+FoldedBodies<dim>::FoldedBodies(Snapshot<dim> &snapshot, const PeriodicCell<dim> &cell) : cell(cell)
 {
-  for (BodyState<2> &body : snapshot.bodies)
+  for (BodyState<dim> &body : snapshot.bodies)
   {
     copies.push_back(cell.image_of(body.center));
-    const dealii::Tensor<1, 2> way = cell.shift(copies.back());
+    const dealii::Tensor<1, dim> way = cell.shift(copies.back());
     body.center -= way;
     for (auto &line : body.outline)
-      for (dealii::Point<2> &x : line)
+      for (dealii::Point<dim> &x : line)
         x -= way;
   }
   for (std::size_t p = 0; p < snapshot.points.position.size(); ++p)
     snapshot.points.position[p] -= cell.shift(copies[snapshot.points.body[p]]);
 }
 
-void FoldedBodies::fold(ContactState<2> &contact,
-                        const PeriodicCell<2>::Image &body_fold,
-                        const PeriodicCell<2>::Image &image) const
+template <int dim>
+void FoldedBodies<dim>::fold(ContactState<dim> &contact, const Image &body_fold, const Image &image) const
 {
-  const PeriodicCell<2>::Image &a = copies[contact.body_a];
-  contact.place += cell.shift({{body_fold[0] - a[0], body_fold[1] - a[1]}});
-  if (contact.body_b == ContactState<2>::not_a_body)
-    return;
-  const PeriodicCell<2>::Image &b = copies[contact.body_b];
-  contact.image = cell.shift({{image[0] - a[0] + b[0], image[1] - a[1] + b[1]}});
+  Image place_fold = body_fold, partner = image;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    place_fold[d] -= copies[contact.body_a][d];
+    partner[d] -= copies[contact.body_a][d];
+    if (contact.body_b != ContactState<dim>::not_a_body)
+      partner[d] += copies[contact.body_b][d];
+  }
+  contact.place += cell.shift(place_fold);
+  if (contact.body_b != ContactState<dim>::not_a_body)
+    contact.image = cell.shift(partner);
 }
 
-std::optional<FoldedBodies> fold_bodies(Snapshot<2> &snapshot)
+template <int dim>
+std::optional<FoldedBodies<dim>> fold_bodies(Snapshot<dim> &snapshot)
 {
-  const PeriodicCell<2> cell = cell_of(snapshot.walls);
+  const PeriodicCell<dim> cell = cell_of(snapshot.walls);
   if (!cell.repeats())
     return std::nullopt;
-  return FoldedBodies(snapshot, cell);
+  return FoldedBodies<dim>(snapshot, cell);
 }
+
+template class FoldedBodies<2>;
+template class FoldedBodies<3>;
+template std::optional<FoldedBodies<2>> fold_bodies(Snapshot<2> &);
+template std::optional<FoldedBodies<3>> fold_bodies(Snapshot<3> &);
 } // namespace softgrain

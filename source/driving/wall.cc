@@ -3,8 +3,8 @@
 #include <softgrain/base/exceptions.h>
 #include <softgrain/driving/wall.h>
 #include <softgrain/geometry/box.h>
-#include <softgrain/geometry/periodic_cell.h>
 #include <softgrain/geometry/shape.h>
+#include <softgrain/scene/cell_checks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,17 +36,6 @@ void weigh(Wall<dim> &wall)
   const double mass = wall.description.drive->inertia().mass.value_or(wall.free.usual_mass);
   wall.free.across.mass = wall.prescribed() ? 0. : mass;
   wall.free.along.mass = slides_freely(wall) ? mass : 0.;
-}
-
-/// Whether a wall moves along its tangent at all.
-bool goes_along(const WallDescription<2> &wall)
-{
-  return wall.drive->slides() || wall.drive->shears();
-}
-
-std::string tangential_key(const WallDescription<2> &wall)
-{
-  return wall.drive->shears() ? "Shear stress" : "Tangential velocity";
 }
 } // namespace
 
@@ -244,32 +233,14 @@ void check_free_walls(const Scene<2> &scene)
 
 void check_sliding_walls(const Scene<2> &scene)
 {
-  const auto repeats = [](const WallDescription<2> &wall)
-  { return wall.type == WallDescription<2>::Type::periodic; };
-  bool both[2] = {false, false};
   for (const WallDescription<2> &wall : scene.walls)
-    if (repeats(wall))
-      both[axis_of(wall.normal)] = true;
-  for (const WallDescription<2> &wall : scene.walls)
-  {
-    const std::string at = "'Walls/" + wall.name + "/";
-    if (goes_along(wall) && repeats(wall) && !(axis_of(wall.normal) == 1 && both[0]))
-      throw InputError(at + tangential_key(wall) +
-                       "' is not allowed with 'Type' = 'periodic' but at top and bottom of a "
-                       "cell that repeats along x and y");
-    if (goes_along(wall) && !repeats(wall) && wall.friction == 0.)
-      throw InputError(at + tangential_key(wall) + "' has no effect without friction: set '" + at.substr(1) +
+    if ((wall.drive->slides() || wall.drive->shears()) && !repeats(wall) && wall.friction == 0.)
+    {
+      const std::string at = "Walls/" + wall.name + "/";
+      throw InputError("'" + at + tangential_key(wall) + "' has no effect without friction: set '" + at +
                        "Friction', or leave it out");
-    for (const WallDescription<2> &other : scene.walls)
-      if (&wall != &other && repeats(wall) && repeats(other) && wall.drive->shears() && goes_along(other))
-        throw InputError(at + "Shear stress' is not allowed where 'Walls/" + other.name + "/" +
-                         tangential_key(other) + "' moves the side that faces it");
-      else if (&wall != &other && repeats(wall) && repeats(other) && !wall.drive->prescribed() &&
-               !other.drive->prescribed() && axis_of(wall.normal) == axis_of(other.normal))
-        throw InputError(at + "Drive' = '" + wall.drive_name + "' is not allowed where 'Walls/" + other.name +
-                         "/Drive' = '" + other.drive_name +
-                         "' moves the side that faces it: of two periodic walls one may be free to move");
-  }
+    }
+  check_motion_of_sides(scene.walls);
 }
 
 template <int dim>

@@ -103,14 +103,4 @@ WallRates expected_rates(const Wall<2> &wall, const double time, const double dt
     rates.slide = wall.slide_speed;
   return rates;
 }
-
-bool is_plane(const Wall<2> &wall)
-{
-  return wall.body == Wall<2>::no_body && !is_side_of_cell(wall);
-}
-
-bool any_sides(const std::vector<Wall<2>> &walls)
-{
-  return std::any_of(walls.begin(), walls.end(), is_side_of_cell<2>);
-}
 } // namespace softgrain

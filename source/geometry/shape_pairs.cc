@@ -10,34 +10,33 @@ namespace softgrain
 {
 namespace
 {
-using Vector = dealii::Tensor<1, 2>;
-using Box = dealii::BoundingBox<2>;
-
-Box moved(const Box &box, const Vector &way)
+template <int dim>
+dealii::BoundingBox<dim> moved(const dealii::BoundingBox<dim> &box, const dealii::Tensor<1, dim> &way)
 {
-  return Box({box.get_boundary_points().first + way, box.get_boundary_points().second + way});
-}
-
-/// Copies of the cell in which a neighbour of what lies in it may lie.
-std::vector<PeriodicCell<2>::Image> neighbouring_images(const PeriodicCell<2> &cell)
-{
-  // The cells above may stand to the side.
-  const int above = cell.periodic[1] ? 1 : 0, beside = cell.periodic[0] ? 1 + above : 0;
-  std::vector<PeriodicCell<2>::Image> images;
-  for (int up = -above; up <= above; ++up)
-    for (int right = -beside; right <= beside; ++right)
-      images.push_back(cell.from_reduced({{right, up}}));
-  return images;
+  return dealii::BoundingBox<dim>(
+      {box.get_boundary_points().first + way, box.get_boundary_points().second + way});
 }
 } // namespace
 
-std::optional<std::pair<std::size_t, std::size_t>>
-find_overlap(const std::vector<const Shape<2> *> &shapes, const PeriodicCell<2> &cell, const double touching)
+bool overlap_when_moved(const Shape<3> &a,
+                        const Shape<3> &b,
+                        const dealii::Tensor<1, 3> &shift,
+                        const double /*tolerance*/)
 {
+  return overlap(a, b, shift) > 0.;
+}
+
+template <int dim>
+std::optional<std::pair<std::size_t, std::size_t>> find_overlap(const std::vector<const Shape<dim> *> &shapes,
+                                                                const PeriodicCell<dim> &cell,
+                                                                const double touching)
+{
+  using Vector = dealii::Tensor<1, dim>;
+  using Box = dealii::BoundingBox<dim>;
   std::vector<Box> boxes; // of the shapes brought into the cell
   std::vector<Vector> folds;
   std::vector<double> sizes;
-  for (const Shape<2> *const shape : shapes)
+  for (const Shape<dim> *const shape : shapes)
   {
     const Box box(shape->bounding_box());
     const auto &[lower, upper] = box.get_boundary_points();
@@ -46,11 +45,11 @@ find_overlap(const std::vector<const Shape<2> *> &shapes, const PeriodicCell<2> 
     sizes.push_back(lower.distance(upper));
   }
   const auto tree = dealii::pack_rtree_of_indices(boxes);
-  const std::vector<PeriodicCell<2>::Image> images = neighbouring_images(cell);
+  const auto images = cell.neighbours();
   for (std::size_t a = 0; a < shapes.size(); ++a)
   {
     std::vector<std::pair<std::size_t, Vector>> near;
-    for (const PeriodicCell<2>::Image &image : images)
+    for (const auto &image : images)
     {
       const Vector way = cell.shift(image);
       for (const std::size_t b : tree | boost::geometry::index::adaptors::queried(
@@ -66,4 +65,9 @@ find_overlap(const std::vector<const Shape<2> *> &shapes, const PeriodicCell<2> 
   }
   return std::nullopt;
 }
+
+template std::optional<std::pair<std::size_t, std::size_t>>
+find_overlap(const std::vector<const Shape<2> *> &, const PeriodicCell<2> &, double);
+template std::optional<std::pair<std::size_t, std::size_t>>
+find_overlap(const std::vector<const Shape<3> *> &, const PeriodicCell<3> &, double);
 } // namespace softgrain

@@ -56,16 +56,20 @@ double solid_volume(const Packing<3> &packing)
 Packing<3> pack_balls(const std::vector<double> &radii,
                       const dealii::Point<3> &lower,
                       const dealii::Point<3> &upper,
-                      Uniform &random)
+                      Uniform &random,
+                      const std::array<bool, 3> &periodic)
 {
   const dealii::Tensor<1, 3> edges = upper - lower;
+  for (unsigned int d = 0; d < 3; ++d)
+    if (periodic[d] && edges[d] < 6. * *std::max_element(radii.begin(), radii.end()))
+      throw InputError("'Packing': a periodic box must be wider than three of its largest balls");
   const double fraction = volume_of(radii) / volume_of_box(lower, upper);
   if (fraction > largest_fraction)
     throw InputError(too_dense(radii.size(), fraction));
   const double growth = std::max(1., std::cbrt(fraction / loose_fraction)), end = 0.5 * edges[0];
   const std::array<double, 3> half = {
       {0.5 * growth * edges[0], 0.5 * growth * edges[1], 0.5 * growth * edges[2]}};
-  ShakenBalls<3> shaken(thrown_balls<3>(radii, half, {}, random), radii, half, {});
+  ShakenBalls<3> shaken(thrown_balls<3>(radii, half, periodic, random), radii, half, periodic);
   if (!shaken.shrink(end, end * std::cbrt(fraction / dense_fraction), random))
   {
     std::ostringstream text;
@@ -104,6 +108,6 @@ Packing<3> make_packing(const PackingRequest3D &request)
 {
   Uniform random(request.seed);
   const std::vector<double> radii = draw_radii(request, random);
-  return pack_balls(radii, request.lower, request.upper, random);
+  return pack_balls(radii, request.lower, request.upper, random, request.periodic);
 }
 } // namespace softgrain

@@ -4,6 +4,7 @@
 #include <softgrain/base/mistakes.h>
 #include <softgrain/geometry/shape.h>
 #include <softgrain/geometry/shape_pairs.h>
+#include <softgrain/scene/cell_checks.h>
 #include <softgrain/scene/contact_pairs.h>
 #include <softgrain/scene/obstacle_parameters.h>
 #include <softgrain/scene/scene_checks.h>
@@ -145,91 +146,13 @@ void check_walls(const std::vector<WallDescription<2>> &walls)
                          "' leave no room between them: " + number((a->point - b->point) * b->normal) + " m");
 }
 
-bool repeats(const WallDescription<2> &wall)
-{
-  return wall.type == WallDescription<2>::Type::periodic;
-}
-
-/// Sides of a cell come in pairs, along the axes, and nothing but planes at right angles stands beside them.
-void check_sides(const std::vector<WallDescription<2>> &walls)
-{
-  for (const WallDescription<2> &side : walls)
-  {
-    if (!repeats(side))
-      continue;
-    const std::string is = "'Walls/" + side.name + "/Type' = 'periodic' ";
-    if (std::abs(side.normal[0] * side.normal[1]) > 1e-12)
-      throw InputError(is + "needs a 'Normal' along x or y");
-    unsigned int facing = 0;
-    for (const WallDescription<2> &other : walls)
-    {
-      const double cosine = side.normal * other.normal;
-      facing += repeats(other) && cosine < -1. + 1e-12;
-      if (&other != &side && repeats(other) && cosine > 1. - 1e-12)
-        throw InputError(is + "is not allowed beside the periodic wall '" + other.name +
-                         "', which has the same normal");
-      if (!repeats(other) && std::abs(cosine) > 1e-12)
-        throw InputError(
-            is + "is not allowed with the wall '" + other.name +
-            "', which bodies do not go through: in a direction that repeats there are no others");
-      if (other.type == WallDescription<2>::Type::material_points)
-        throw InputError(is + "is not allowed with 'Walls/" + other.name +
-                         "/Type' = 'material points': choose 'plane'");
-    }
-    if (facing != 1)
-      throw InputError(is + "needs one wall of this type that faces it");
-    if (side.friction > 0.)
-      throw InputError("'Walls/" + side.name +
-                       "/Friction' has no effect with 'Type' = 'periodic': leave it at 0");
-  }
-}
-
-/// A cell is wide enough for its bodies not to meet themselves.
-void check_cell(const Scene<2> &scene)
-{
-  for (const WallDescription<2> &side : scene.walls)
-    for (const WallDescription<2> &other : scene.walls)
-    {
-      if (!repeats(side) || !repeats(other) || side.normal * other.normal > -1. + 1e-12)
-        continue;
-      if (!scene.obstacles.empty())
-        throw InputError("'Obstacles/" + scene.obstacles.front().name +
-                         "' is not allowed in a cell that repeats: nothing repeats an obstacle");
-      const double length = (other.point - side.point) * side.normal;
-      for (const BodyDescription<2> &body : scene.bodies)
-      {
-        const auto extent = body.shape->distances_from_plane(side.point, side.normal);
-        if (extent.second - extent.first > 0.9 * length)
-          throw InputError("the cell between the walls '" + other.name + "' and '" + side.name + "' is " +
-                           number(length) + " m wide, too narrow for body '" + body.name +
-                           "', which would meet itself");
-        if (body.driven)
-          throw InputError("'Bodies/" + body.name +
-                           "/Driven' = 'true' is not allowed in a cell that repeats");
-      }
-    }
-}
-
-/// In a cell that repeats a body is at many places, and its velocity is that beside the motion of the cell.
-void check_loads(const Scene<2> &scene)
-{
-  for (const auto &load : scene.loads)
-    if (load->sees_velocity() && std::any_of(scene.walls.begin(), scene.walls.end(), repeats))
-      throw InputError("'Loads/" + load->key() +
-                       "' is not allowed in a cell that repeats, where bodies have no velocity of their own");
-}
-
 /// Bodies may touch at the start, but not overlap: directly or through the sides of a cell.
 void check_bodies_apart(const Scene<2> &scene)
 {
-  std::vector<CellSide<2>> sides;
-  for (const WallDescription<2> &wall : scene.walls)
-    if (repeats(wall))
-      sides.push_back({wall.point, wall.normal});
   std::vector<const Shape<2> *> shapes;
   for (const BodyDescription<2> &body : scene.bodies)
     shapes.push_back(body.shape.get());
-  if (const auto found = find_overlap(shapes, make_cell<2>(sides, 0.), touching))
+  if (const auto found = find_overlap<2>(shapes, cell_of(scene), touching))
     throw InputError("the bodies '" + scene.bodies[found->first].name + "' and '" +
                      scene.bodies[found->second].name + "' overlap at the start" +
                      (overlap(*shapes[found->first], *shapes[found->second], 0.)
@@ -257,7 +180,7 @@ void check_scene(const Scene<2> &scene)
   mistakes.attempt([&]() { check_walls(scene.walls); });
   mistakes.attempt([&]() { (void) ContactPairs(scene); }); // whether its tables agree with themselves
   mistakes.attempt([&]() { check_sides(scene.walls); });
-  mistakes.attempt([&]() { check_loads(scene); });
+  mistakes.attempt([&]() { check_loads_in_cell(scene); });
   mistakes.end();
   // Of each wall and each obstacle the first body: often one place is wrong, and many bodies lie beyond it.
   for (const WallDescription<2> &wall : scene.walls)

@@ -3,11 +3,11 @@
 #include <softgrain/base/expression.h>
 #include <softgrain/base/mistakes.h>
 #include <softgrain/geometry/rigid_surface.h>
+#include <softgrain/geometry/shape_pairs.h>
 #include <softgrain/geometry/solid.h>
-#include <softgrain/scene/contact_pairs.h>
+#include <softgrain/scene/cell_checks.h>
 #include <softgrain/scene/obstacle_parameters.h>
 #include <softgrain/scene/space_checks.h>
-#include <softgrain/scene/wall_drive.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -143,35 +143,13 @@ bool is_in(const std::vector<std::string> &patterns, const std::vector<std::stri
                      [&](const std::string &pattern) { return matches(path, pattern); });
 }
 
-/// What a file says of an entry of a section, or, without one, of its own; empty where it has none.
-std::string value_of(const ParameterSection &parameters, const std::string &section, const std::string &name)
-{
-  if (section.empty())
-  {
-    for (const ParameterEntry &entry : parameters.entries)
-      if (entry.name == name)
-        return entry.value;
-    return "";
-  }
-  for (const ParameterSection &part : parameters.sections)
-    if (part.name == section)
-      return value_of(part, "", name);
-  return "";
-}
-
-/// Bonded particles have none.
-std::string scheme_of(const ParameterSection &parameters)
-{
-  return value_of(parameters, "", "Model") == "bpm" ? "" : value_of(parameters, "Time", "Scheme");
-}
-
 /// Finds parameters that nothing in space knows, or that the scheme does not.
 class ParameterCheck
 {
 public:
   ParameterCheck(const ParameterSection &parameters, Mistakes &mistakes)
-      : bonded(value_of(parameters, "", "Model") == "bpm")
-      , scheme(value_of(parameters, "Time", "Scheme"))
+      : bonded(value_in(parameters, "", "Model") == "bpm")
+      , scheme(value_in(parameters, "Time", "Scheme"))
       , mistakes(mistakes)
   {
   }
@@ -265,7 +243,23 @@ void check_obstacles(const Scene<3> &scene, Mistakes &mistakes)
   }
 }
 
-void check_bodies(const Scene<3> &scene, Mistakes &mistakes)
+void check_cell_in_space(const Scene<3> &scene)
+{
+  check_sides(scene.walls);
+  check_loads_in_cell(scene);
+  check_cell(scene);
+  std::vector<const Shape<3> *> shapes;
+  for (const BodyDescription<3> &body : scene.bodies)
+    shapes.push_back(body.shape.get());
+  const auto found = find_overlap<3>(shapes, cell_of(scene), 0.);
+  if (found && overlap(*shapes[found->first], *shapes[found->second]) <= 0.)
+    throw InputError("the bodies '" + scene.bodies[found->first].name + "' and '" +
+                     scene.bodies[found->second].name +
+                     "' overlap at the start, through a side of the cell that repeats");
+}
+
+/// @return whether all shapes enclose something
+bool check_bodies(const Scene<3> &scene, Mistakes &mistakes)
 {
   std::vector<std::string> names;
   bool all_enclose = true;
@@ -293,91 +287,18 @@ void check_bodies(const Scene<3> &scene, Mistakes &mistakes)
         mistakes.add(InputError(text.str()));
       }
     }
-}
-
-/// A pressure acts on what lies between four walls beside it.
-void check_pressed(const Scene<3> &scene,
-                   const WallDescription<3> &wall,
-                   const std::string &scheme,
-                   Mistakes &mistakes)
-{
-  const std::string section = "'Walls/" + wall.name;
-  if (wall.drive_name != "pressure" || scheme != "quasi_static")
-  {
-    mistakes.add(InputError(
-        section + "/Drive' = '" + wall.drive_name +
-        "' is not allowed with 'Dimension' = '3': it must be one that says how the wall moves, 'velocity' or "
-        "'position'" +
-        (scheme.empty() ? "" : ", or with 'Time/Scheme' = 'quasi_static' also 'pressure'")));
-    return;
-  }
-  unsigned int beside = 0;
-  for (const WallDescription<3> &other : scene.walls)
-    beside += std::abs(other.normal * wall.normal) < 1e-9;
-  if (beside != 4)
-    mistakes.add(InputError(section +
-                            "/Drive' = 'pressure' needs an area to act on: there must be four walls "
-                            "beside it, at right angles to it and to each other, and there are " +
-                            std::to_string(beside)));
-}
-
-void check_walls(const Scene<3> &scene, const std::string &scheme, Mistakes &mistakes)
-{
-  for (const WallDescription<3> &wall : scene.walls)
-  {
-    const std::string section = "'Walls/" + wall.name;
-    if (wall.type != WallDescription<3>::Type::plane)
-      mistakes.add(InputError(section + "/Type' is not allowed with 'Dimension' = '3': it must be 'plane'"));
-    if (!wall.drive->prescribed())
-      check_pressed(scene, wall, scheme, mistakes);
-    // The first body tells enough: often the wall is wrong, and many lie behind it.
-    for (const BodyDescription<3> &body : scene.bodies)
-    {
-      const auto [nearest, farthest] = body.shape->distances_from_plane(wall.point, wall.normal);
-      if (nearest < -1e-9 * (farthest - nearest))
-      {
-        std::ostringstream text;
-        text << "'Bodies/" << body.name << "' reaches " << -nearest << " m behind wall '" << wall.name
-             << "': it must lie on its inner side at the start";
-        mistakes.add(InputError(text.str()));
-        break;
-      }
-    }
-  }
-}
-
-/// What slides must rub against something.
-void check_slides(const Scene<3> &scene, Mistakes &mistakes)
-{
-  const ContactPairs pairs(scene);
-  for (unsigned int w = 0; w < scene.walls.size(); ++w)
-  {
-    bool rubs = false;
-    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      rubs = rubs || pairs.friction_at_wall(b, w) > 0.;
-    if (scene.walls[w].drive->slides() && !scene.bodies.empty() && !rubs)
-      mistakes.add(InputError("'Walls/" + scene.walls[w].name +
-                              "/Tangential velocity' has no effect without friction: set 'Walls/" +
-                              scene.walls[w].name + "/Friction', or leave it out"));
-  }
+  return all_enclose;
 }
 } // namespace
-
-void check_walls_in_space(const Scene<3> &scene, const ParameterSection &parameters)
-{
-  Mistakes mistakes;
-  check_walls(scene, scheme_of(parameters), mistakes);
-  mistakes.attempt([&]() { check_slides(scene, mistakes); });
-  mistakes.end();
-}
 
 void check_scene_in_space(const Scene<3> &scene, const ParameterSection &parameters)
 {
   Mistakes mistakes;
   ParameterCheck(parameters, mistakes).look_at(parameters);
-  check_bodies(scene, mistakes);
-  check_walls(scene, scheme_of(parameters), mistakes);
-  mistakes.attempt([&]() { check_slides(scene, mistakes); });
+  const bool all_enclose = check_bodies(scene, mistakes);
+  check_walls_in_space(scene, parameters, mistakes);
+  if (std::any_of(scene.walls.begin(), scene.walls.end(), repeats<3>) && all_enclose)
+    mistakes.attempt([&]() { check_cell_in_space(scene); });
   check_obstacles(scene, mistakes);
   mistakes.end();
 }

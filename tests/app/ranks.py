@@ -26,6 +26,9 @@ HELD = [COARSE, "Packing/Number=12", "Packing/Packing fraction=0.65"]
 RAYS = ["Contact/Geometry=rays", "Quasi-static/Regularisation=1e-6"]
 EQUAL = ["Packing/Smallest diameter=1.75e-3", "Packing/Largest diameter=1.75e-3", "Primaries/Variants=2"]
 BONDED = ["gallery/thirty_grains_bpm.prm", *EQUAL]
+BALLS = [f"Bodies/{name}/{setting}" for name, place in (("a", "6e-3, 7e-3, 8e-3"), ("b", "22e-3, 23e-3, 8.2e-3"), ("c", "22.1e-3, 7.1e-3, 24e-3"),
+                                                       ("d", "6.2e-3, 23e-3, 23.7e-3"))
+         for setting in ("Shape=sphere", f"Center={place}", "Radius=10.6e-3")]
 # A few steps each: with friction, with history, with grids that are laid anew, with walls of points, in balance.
 SCENES = {
     "two_disks": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3", "Stop/End time=6e-4"],
@@ -68,6 +71,12 @@ SCENES = {
     # Loads of a body's own are known to its rank alone; of what is driven all ranks have the points.
     "pushed": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3", "Stop/End time=6e-4", "Bodies/left/Driven=true",
                "Bodies/right/Body force=-2e4*(1+50*X); 1e4*y*t"],
+    # In space: balls that rub in a cell that is pressed and sheared, balls that fall, and metal.
+    "cell_of_balls": ["gallery/sheared_cell_of_spheres.prm", "Mesh/Cell size=4.5e-3", "Time/Wall way=.1", "Packing/Number=0",
+                      "Bodies/Names=a, b, c, d", *BALLS, "Contact/Friction=.3", "Output/Snapshots every=.4", "Stop/End time=1.2"],
+    "moving_balls": ["gallery/poured_spheres.prm", "Mesh/Cell size=2.7e-3", "Loads/Gravity=0, 0, -90", "Packing/Number=5",
+                     "Output/Snapshots every=4e-3", "Stop/End time=0.012"],
+    "plastic_balls": ["gallery/twelve_plastic_spheres.prm", "Mesh/Cell size=.3", "Output/Snapshots every=2e-3", "Stop/End time=4e-3"],
     "thesis_method": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3", "Materials/gel/Law=linear_elastic",
                       "Material points/Shape function=linear", "Material points/Fill limit=0.01",
                       "Material points/Grid update=every step", "Contact/Geometry=nodes", "Contact/Nodal gap=false",
@@ -204,6 +213,16 @@ class SameBits(RankRuns):
 
     def test_rays(self):
         self.check("rays", (2, 3))
+
+    def test_cell_of_balls(self):
+        self.check("cell_of_balls", (2, 3))
+        self.assertRegex((self.base / "3" / "run.log").read_text(), r"bodies of a rank +1 to 2")
+
+    def test_moving_balls(self):
+        self.check("moving_balls", (2,))
+
+    def test_plastic_balls(self):
+        self.check("plastic_balls", (2,))
 
     def test_thesis_method(self):
         self.check("thesis_method")

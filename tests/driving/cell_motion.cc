@@ -15,8 +15,6 @@ PeriodicCell<dim> images(const std::vector<typename PeriodicCell<dim>::Image> &a
                          const typename PeriodicCell<dim>::Image &far)
 {
   PeriodicCell<dim> cell;
-  typename PeriodicCell<dim>::Image up{};
-  up[1] = 1;
   dealii::Tensor<1, dim> within, little;
   for (unsigned int d = 0; d < dim; ++d)
   {
@@ -32,7 +30,7 @@ PeriodicCell<dim> images(const std::vector<typename PeriodicCell<dim>::Image> &a
     std::cout << dim << "D, offset " << offset << ":";
     for (const auto &n : all)
       std::cout << ' ' << (cell.image_of(cell.lower + within + cell.shift(n)) == n ? "right" : "wrong");
-    std::cout << ", reduced offset " << cell.shift(cell.from_reduced(up))[0] << ", shortest "
+    std::cout << ", reduced offset " << cell.shift(cell.from_reduced(cell.above()))[0] << ", shortest "
               << cell.shortest(cell.shift(far) + little) << '\n';
   }
   return cell;
@@ -44,7 +42,7 @@ int main()
   const PeriodicCell<2> cell = images<2>({{{0, 0}}, {{3, 0}}, {{-2, 4}}, {{1, -7}}}, {{5, -3}});
   images<3>({{{0, 0, 0}}, {{3, 0, 1}}, {{-2, 4, -5}}, {{1, -7, 2}}}, {{5, -3, 2}});
 
-  CellMotion motion;
+  CellMotion<2> motion;
   motion.cell = cell;
   const dealii::Tensor<1, 2> up({0., 1.}), right({1., 0.});
   motion.add_side(right, 0.5 * right);          // left, inwards
@@ -56,5 +54,21 @@ int main()
   // The cell above: its corner goes where the place goes that is there.
   std::cout << "offset goes from " << cell.offset << " to " << motion.offset_after(0.1) << ", place there by "
             << 0.1 * (motion.velocity(cell.lower + cell.shift({{0, 1}})) - motion.velocity(cell.lower))
+            << '\n';
+
+  CellMotion<3> deep;
+  deep.cell.periodic = {{true, true, true}};
+  deep.cell.length = {{8., 6., 4.}};
+  deep.cell.offset = 3.;
+  const dealii::Tensor<1, 3> x({1., 0., 0.}), z({0., 0., 1.});
+  deep.add_side(x, 0.5 * x);      // left, inwards
+  deep.add_side(-z, -z + 2. * x); // top, inwards and sliding
+  dealii::Tensor<2, 3> virial;
+  for (unsigned int d = 0; d < 3; ++d)
+    virial[d][d] = 1. + d;
+  virial[0][2] = 0.5;
+  std::cout << "in space " << deep.cell.neighbours().size() << " neighbours; far corner goes "
+            << deep.velocity({8., 6., 4.}) << ", offset to " << deep.offset_after(0.1) << "; forces on left "
+            << force_on_side(deep.cell, x, virial) << ", top " << force_on_side(deep.cell, -z, virial)
             << '\n';
 }

@@ -10,11 +10,12 @@
 namespace softgrain
 {
 /// The cell between those of the walls that are sides of one; it does not repeat when there are none.
-inline PeriodicCell<2> cell_of(const std::vector<WallState<2>> &walls)
+template <int dim>
+PeriodicCell<dim> cell_of(const std::vector<WallState<dim>> &walls)
 {
-  std::vector<CellSide<2>> sides;
+  std::vector<CellSide<dim>> sides;
   double offset = 0.;
-  for (const WallState<2> &wall : walls)
+  for (const WallState<dim> &wall : walls)
     if (wall.repeats)
     {
       sides.push_back({wall.point, wall.normal});

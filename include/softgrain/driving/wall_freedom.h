@@ -4,6 +4,7 @@
 
 #include <softgrain/driving/wall.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -89,7 +90,11 @@ bool is_met(const Wall<dim> &wall)
 }
 
 /// Whether bodies meet its plane itself: it is neither made of material points nor a side of a cell.
-bool is_plane(const Wall<2> &wall);
+template <int dim>
+bool is_plane(const Wall<dim> &wall)
+{
+  return wall.body == Wall<dim>::no_body && !is_side_of_cell(wall);
+}
 
 /// Calls work(wall), or work(wall, number), for the walls that are sides of a cell that repeats.
 template <class Walls, class Work>
@@ -124,7 +129,11 @@ void for_slabs(const std::vector<Wall<2>> &walls, const Work &work)
 }
 
 /// Whether there are such walls.
-bool any_sides(const std::vector<Wall<2>> &walls);
+template <int dim>
+bool any_sides(const std::vector<Wall<dim>> &walls)
+{
+  return std::any_of(walls.begin(), walls.end(), is_side_of_cell<dim>);
+}
 } // namespace softgrain
 
 #endif

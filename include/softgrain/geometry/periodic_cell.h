@@ -16,19 +16,21 @@ namespace softgrain
  * cell.
  *
  * Images are told by whole numbers n, one per direction: the image of a place x is x + shift(n). The cells
- * above may stand to the side by an offset, which grows for ever in simple shear (Lees and Edwards, J. Phys.
- * C 5, 1972): the lattice is the same for offsets that differ by a length, so nothing is ever remapped, and
- * the numbers of an image never change.
+ * above, those along y in the plane and along z in space, may stand to the side by an offset along x, which
+ * grows for ever in simple shear (Lees and Edwards, J. Phys. C 5, 1972): the lattice is the same for offsets
+ * that differ by a length, so nothing is ever remapped, and the numbers of an image never change.
  */
 template <int dim>
 struct PeriodicCell
 {
   using Image = std::array<int, dim>;
 
+  static constexpr unsigned int up = dim - 1; ///< direction of the cells that an offset moves
+
   std::array<bool, dim> periodic{}; ///< along x, y and z
   dealii::Point<dim> lower;         ///< corner [m]
   std::array<double, dim> length;   ///< edges, of the directions that repeat [m]
-  double offset = 0;                ///< along x of the cell above, which is that along y [m]
+  double offset = 0;                ///< along x of the cell above [m]
 
   PeriodicCell() { length.fill(1.); }
 
@@ -42,7 +44,7 @@ struct PeriodicCell
   dealii::Tensor<1, dim> shift(const Image &n) const
   {
     dealii::Tensor<1, dim> way;
-    way[0] = n[0] * length[0] + n[1] * offset;
+    way[0] = n[0] * length[0] + n[up] * offset;
     for (unsigned int d = 1; d < dim; ++d)
       way[d] = n[d] * length[d];
     return way;
@@ -53,6 +55,19 @@ struct PeriodicCell
 
   /// The image that is @p n as counted in the lattice whose offset is the smallest, at most half a length.
   Image from_reduced(const Image &n) const;
+
+  /// The image above: the first cell along the direction that an offset moves.
+  static Image above()
+  {
+    Image n{};
+    n[up] = 1;
+    return n;
+  }
+
+  /// Copies of the cell in which a neighbour of what lies in it may lie, itself among them, in ascending
+  /// order of their last number, then of the others. Of those above there are two on each side along x,
+  /// because they stand to the side.
+  std::vector<Image> neighbours() const;
 
   /// The vector between two places or their images that is the shortest, for vectors that are short against
   /// the cell [m].

@@ -4,6 +4,7 @@
 
 #include <softgrain/geometry/periodic_cell.h>
 #include <softgrain/geometry/shape.h>
+#include <softgrain/geometry/solid.h>
 
 #include <cstddef>
 #include <optional>
@@ -18,6 +19,12 @@ bool overlap_when_moved(const Shape<2> &a,
                         const dealii::Tensor<1, 2> &shift,
                         double tolerance);
 
+/// overlap() of @p a and of @p b moved by @p shift [m]; what counts as touching is known there.
+bool overlap_when_moved(const Shape<3> &a,
+                        const Shape<3> &b,
+                        const dealii::Tensor<1, 3> &shift,
+                        double tolerance);
+
 /**
  * @brief The first two shapes that overlap, directly or through the sides of a cell that repeats; nothing
  * when none do.
@@ -27,8 +34,9 @@ bool overlap_when_moved(const Shape<2> &a,
  * @param touching share of the size of the larger one that counts as touching
  * @return their numbers, the lower one first: of all such pairs the one whose higher number is the lowest
  */
+template <int dim>
 std::optional<std::pair<std::size_t, std::size_t>>
-find_overlap(const std::vector<const Shape<2> *> &shapes, const PeriodicCell<2> &cell, double touching);
+find_overlap(const std::vector<const Shape<dim> *> &shapes, const PeriodicCell<dim> &cell, double touching);
 } // namespace softgrain
 
 #endif

@@ -77,8 +77,9 @@ Registry<Shape<3>> &Registry<Shape<3>>::instance();
 /// A place of a surface with its unit normal and with some tangents, without bends.
 SurfacePlace<3> place_of(const dealii::Point<3> &position, const dealii::Tensor<1, 3> &normal);
 
-/// How far two bodies lie in each other [m]; 0 or less: they do not.
-double overlap(const Shape<3> &a, const Shape<3> &b);
+/// How far two bodies lie in each other, the second moved by @p shift [m]; 0 or less: they do not.
+double
+overlap(const Shape<3> &a, const Shape<3> &b, const dealii::Tensor<1, 3> &shift = dealii::Tensor<1, 3>());
 
 /// A ball.
 class Sphere final : public Shape<3>

@@ -49,6 +49,8 @@ public:
 
   /// Whether several processes can work on the model together.
   virtual bool works_on_ranks() const { return false; }
+  /// Whether they can in space.
+  virtual bool works_on_ranks_in_space() const { return false; }
 
   /// What `Materials/NAME/Law` may say.
   virtual LawCatalogue laws() const = 0;

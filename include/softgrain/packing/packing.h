@@ -126,7 +126,10 @@ struct PackingRequest2D : BallRequest<2>
 };
 
 /// What make_packing() is to make in space: balls.
-using PackingRequest3D = BallRequest<3>;
+struct PackingRequest3D : BallRequest<3>
+{
+  std::array<bool, 3> periodic{}; ///< directions without walls: what leaves at one side comes in at the other
+};
 
 /// Reads "share: diameter [to diameter] [, material] [, shape]; ..." of 'Packing/Classes'. @throw InputError
 std::vector<GrainClass2D> parse_classes(const std::string &text);
@@ -178,7 +181,8 @@ Packing<2> make_packing(const PackingRequest2D &request);
 Packing<3> pack_balls(const std::vector<double> &radii,
                       const dealii::Point<3> &lower,
                       const dealii::Point<3> &upper,
-                      Uniform &random);
+                      Uniform &random,
+                      const std::array<bool, 3> &periodic = {});
 
 /// The radii that make_packing() draws [m].
 std::vector<double> draw_radii(const PackingRequest3D &request, Uniform &random);

@@ -57,7 +57,7 @@ std::vector<std::vector<ContactTask>> find_tasks(const OutlineScene &scene,
         if (a < b || (a > b && !looks(a)))
           share_out(scene, std::min<unsigned int>(a, b), std::max<unsigned int>(a, b), {}, tasks);
   if (scene.cell != nullptr)
-    for (const ImagePair &pair : pairs_across(boxes, scene.cell->cell))
+    for (const ImagePair<2> &pair : pairs_across(boxes, scene.cell->cell))
     {
       if (pair.a == pair.b)
         throw ComputationError("the cell that repeats has become too small: body '" +

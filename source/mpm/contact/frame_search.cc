@@ -174,9 +174,7 @@ dealii::Tensor<1, dim> apart_of(const FrameScene<dim> &scene, const ContactFrame
   typename PeriodicCell<dim>::Image here = frame.image;
   for (unsigned int d = 0; d < dim; ++d)
     here[d] += scene.bodies[frame.partner].home[d] - scene.bodies[frame.body].home[d];
-  if constexpr (dim == 2)
-    return scene.cell->cell.shift(here);
-  return dealii::Tensor<1, dim>();
+  return scene.cell->cell.shift(here);
 }
 
 template <int dim>

@@ -125,9 +125,8 @@ void FrameState<dim>::carry(const FrameScene<dim> &scene)
   for (unsigned int side = 0; side < 2 && !scene.ways.carried.empty(); ++side)
     if (body(side) != none)
       carried[side] = scene.ways.carried[body(side)];
-  if constexpr (dim == 2)
-    if (scene.cell != nullptr)
-      carried[0] += scene.dt * (scene.cell->gradient * apart);
+  if (scene.cell != nullptr)
+    carried[0] += scene.dt * (scene.cell->gradient * apart);
 }
 
 template <int dim>

@@ -96,13 +96,14 @@ FramesBefore<dim> frames_before(const FrameScene<dim> &scene, std::vector<Contac
   for (ContactFrame<dim> &frame : frames)
   {
     const Body<dim> &body = scene.bodies[frame.body];
-    if constexpr (dim == 2)
-      if (scene.cell != nullptr && frame.home != body.home)
-      {
-        frame.origin -=
-            scene.cell->cell.shift({{body.home[0] - frame.home[0], body.home[1] - frame.home[1]}});
-        frame.home = body.home;
-      }
+    if (scene.cell != nullptr && frame.home != body.home)
+    {
+      typename PeriodicCell<dim>::Image moved = body.home;
+      for (unsigned int d = 0; d < dim; ++d)
+        moved[d] -= frame.home[d];
+      frame.origin -= scene.cell->cell.shift(moved);
+      frame.home = body.home;
+    }
     result.emplace(key_of(frame), std::move(frame));
   }
   return result;

@@ -31,12 +31,11 @@ Boxes<dim> boxes_of(const FrameScene<dim> &scene, const std::vector<SampledSurfa
   {
     boxes.fold.emplace_back();
     dealii::Tensor<1, dim> back;
-    if constexpr (dim == 2)
-      if (scene.cell != nullptr)
-      {
-        boxes.fold.back() = scene.cell->cell.image_of(scene.bodies[b].center());
-        back = scene.cell->cell.shift(boxes.fold.back());
-      }
+    if (scene.cell != nullptr)
+    {
+      boxes.fold.back() = scene.cell->cell.image_of(scene.bodies[b].center());
+      back = scene.cell->cell.shift(boxes.fold.back());
+    }
     const double reach = 0.5 * scene.reach + scene.ways.own_of(b);
     dealii::Point<dim> lower = samples[b].samples.front().position, upper = lower;
     for (const auto &s : samples[b].samples)
@@ -136,15 +135,14 @@ std::vector<FrameTask<dim>> find_frame_tasks(const FrameScene<dim> &scene,
       if (a < b)
         list.add_pair(b, a, {});
   }
-  if constexpr (dim == 2)
-    if (scene.cell != nullptr)
-      for (const ImagePair &pair : pairs_across(list.box(), scene.cell->cell))
-      {
-        if (pair.a == pair.b)
-          throw ComputationError("the cell that repeats has become too small: body '" +
-                                 scene.bodies[pair.a].name + "' meets itself");
-        list.add_pair(pair.a, pair.b, pair.image);
-      }
+  if (scene.cell != nullptr)
+    for (const ImagePair<dim> &pair : pairs_across(list.box(), scene.cell->cell))
+    {
+      if (pair.a == pair.b)
+        throw ComputationError("the cell that repeats has become too small: body '" +
+                               scene.bodies[pair.a].name + "' meets itself");
+      list.add_pair(pair.a, pair.b, pair.image);
+    }
   return std::move(list.tasks);
 }
 

@@ -23,12 +23,9 @@ FreeWay<dim>::FreeWay(const FreeWall<dim> &free,
 {
   if (repeats == nullptr)
     return;
-  if constexpr (dim == 2)
-  {
-    cell.emplace();
-    cell->cell = *repeats;
-    cell->add_side(free.normal, free.way);
-  }
+  cell.emplace();
+  cell->cell = *repeats;
+  cell->add_side(free.normal, free.way);
 }
 
 template <int dim>
@@ -45,13 +42,11 @@ std::array<typename FreeWay<dim>::Vector, 2> FreeWay<dim>::moves(const FrameScen
     {
       if (b == slab)
         result[side] = way;
-      else if constexpr (dim == 2)
-        if (cell && !scene.bodies[b].driven)
-          result[side] = cell->velocity(scene.bodies[b].center());
+      else if (cell && !scene.bodies[b].driven)
+        result[side] = cell->velocity(scene.bodies[b].center());
     }
-  if constexpr (dim == 2)
-    if (cell)
-      result[0] += cell->gradient * frame.image_shift();
+  if (cell)
+    result[0] += cell->gradient * frame.image_shift();
   return result;
 }
 

@@ -9,39 +9,41 @@ namespace softgrain::mpm
 {
 namespace
 {
-using Box = dealii::BoundingBox<2>;
-
-Box moved(const Box &box, const dealii::Tensor<1, 2> &way)
+template <int dim>
+dealii::BoundingBox<dim> moved(const dealii::BoundingBox<dim> &box, const dealii::Tensor<1, dim> &way)
 {
-  return Box({box.get_boundary_points().first + way, box.get_boundary_points().second + way});
+  return dealii::BoundingBox<dim>(
+      {box.get_boundary_points().first + way, box.get_boundary_points().second + way});
 }
 } // namespace
 
-std::vector<ImagePair> pairs_across(const std::vector<Box> &boxes, const PeriodicCell<2> &cell)
+template <int dim>
+std::vector<ImagePair<dim>> pairs_across(const std::vector<dealii::BoundingBox<dim>> &boxes,
+                                         const PeriodicCell<dim> &cell)
 {
-  std::vector<ImagePair> pairs;
+  std::vector<ImagePair<dim>> pairs;
   const auto tree = dealii::pack_rtree_of_indices(boxes);
   const auto bounds = tree.bounds();
-  // Of an image and its opposite one is enough. Beside the nearest cells above there are two on each side,
-  // because they stand to the side.
-  const int above = cell.periodic[1] ? 1 : 0, beside = cell.periodic[0] ? 1 + above : 0;
-  for (int up = 0; up <= above; ++up)
-    for (int right = up == 0 ? 1 : -beside; right <= beside; ++right)
+  const auto images = cell.neighbours();
+  // Of an image and its opposite one is enough: those behind the cell itself.
+  for (std::size_t i = images.size() / 2 + 1; i < images.size(); ++i)
+    for (unsigned int b = 0; b < boxes.size(); ++b)
     {
-      const PeriodicCell<2>::Image image = cell.from_reduced({{right, up}});
-      for (unsigned int b = 0; b < boxes.size(); ++b)
-      {
-        const Box there = moved(boxes[b], cell.shift(image));
-        if (!boost::geometry::intersects(there, bounds))
-          continue;
-        const std::size_t first = pairs.size();
-        for (const std::size_t a :
-             tree | boost::geometry::index::adaptors::queried(boost::geometry::index::intersects(there)))
-          pairs.push_back({static_cast<unsigned int>(a), b, image});
-        std::sort(pairs.begin() + first, pairs.end(),
-                  [](const ImagePair &one, const ImagePair &other) { return one.a < other.a; });
-      }
+      const dealii::BoundingBox<dim> there = moved(boxes[b], cell.shift(images[i]));
+      if (!boost::geometry::intersects(there, bounds))
+        continue;
+      const std::size_t first = pairs.size();
+      for (const std::size_t a :
+           tree | boost::geometry::index::adaptors::queried(boost::geometry::index::intersects(there)))
+        pairs.push_back({static_cast<unsigned int>(a), b, images[i]});
+      std::sort(pairs.begin() + first, pairs.end(),
+                [](const ImagePair<dim> &one, const ImagePair<dim> &other) { return one.a < other.a; });
     }
   return pairs;
 }
+
+template std::vector<ImagePair<2>> pairs_across(const std::vector<dealii::BoundingBox<2>> &,
+                                                const PeriodicCell<2> &);
+template std::vector<ImagePair<3>> pairs_across(const std::vector<dealii::BoundingBox<3>> &,
+                                                const PeriodicCell<3> &);
 } // namespace softgrain::mpm

@@ -26,8 +26,12 @@ void tell_frames(const std::vector<ContactFrame<dim>> &frames, std::vector<doubl
           static_cast<double>(frame.corner), frame.spacing, frame.log_full_width[0], frame.log_full_width[1]})
       numbers.push_back(n);
     for (unsigned int d = 0; d < dim; ++d)
+    {
       for (const double n : {static_cast<double>(frame.home[d]), frame.origin[d], frame.direction[d]})
         numbers.push_back(n);
+      for (const auto &across : frame.across)
+        numbers.push_back(across[d]);
+    }
     for (const typename ContactFrame<dim>::RayPlace &ray : frame.rays)
     {
       // As it is in memory: nothing that a ray comes to have can be forgotten here.
@@ -55,8 +59,9 @@ std::vector<ContactFrame<dim>> take_frames(const ContactFrame<dim> &named, const
       frame.home[d] = static_cast<int>(*at++);
       frame.origin[d] = *at++;
       frame.direction[d] = *at++;
+      for (auto &across : frame.across)
+        across[d] = *at++;
     }
-    turn(frame, frame.direction);
     for (typename ContactFrame<dim>::RayPlace &ray : frame.rays)
     {
       std::memcpy(static_cast<void *>(&ray), at, sizeof(ray));

@@ -38,6 +38,7 @@ public:
   }
 
   bool works_on_ranks() const override { return true; }
+  bool works_on_ranks_in_space() const override { return true; }
 
   LawCatalogue laws() const override
   {

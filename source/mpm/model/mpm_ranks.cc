@@ -6,6 +6,7 @@
 #include <softgrain/mpm/body/told_grid.h>
 #include <softgrain/mpm/model/body_cost.h>
 #include <softgrain/mpm/model/mpm_model.h>
+#include <softgrain/mpm/model/rank_report.h>
 
 #include <algorithm>
 #include <numeric>
@@ -98,12 +99,7 @@ void MpmModel::add_ranks(SizeReport &report) const
 {
   if (work.share.alone())
     return;
-  std::vector<unsigned int> bodies(work.share.exchange.number(), 0);
-  for (const Body<2> &body : state.bodies)
-    if (!body.driven)
-      ++bodies[work.share.owner(body.index)];
-  const auto [fewest, most] = std::minmax_element(bodies.begin(), bodies.end());
-  report.emplace_back("bodies of a rank", std::to_string(*fewest) + " to " + std::to_string(*most));
+  const std::vector<unsigned int> bodies = report_bodies_of_ranks(work.share, state.bodies, report);
   double fewest_points = state.points->size(), most_points = fewest_points;
   for (const std::vector<double> &of_rank : work.share.exchange.of_all({most_points}))
   {
@@ -112,9 +108,7 @@ void MpmModel::add_ranks(SizeReport &report) const
   }
   report.emplace_back("points of a rank", std::to_string(static_cast<std::size_t>(fewest_points)) + " to " +
                                               std::to_string(static_cast<std::size_t>(most_points)));
-  if (const auto idle = std::count(bodies.begin(), bodies.end(), 0u); idle > 0)
-    report.emplace_back("warning", std::to_string(idle) + " of " + std::to_string(bodies.size()) +
-                                       " ranks have no body and nothing to do");
+  report_idle_ranks(bodies, report);
 }
 
 void MpmModel::check_ranks_agree(const StepReport &report) const

@@ -137,7 +137,7 @@ Snapshot<2> MpmModel::touching_state() const
 
 void MpmModel::add_contacts(Snapshot<2> &snapshot) const
 {
-  const std::optional<FoldedBodies> cell = fold_bodies(snapshot);
+  const std::optional<FoldedBodies<2>> cell = fold_bodies(snapshot);
   const auto &rows = work.contact.contact_rows();
   const unsigned int components = work.contact.n_components();
   // Rows count images from where bodies would be if none had ever been brought into the cell.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What checkpoints keep of a computation in space.
+#include <softgrain/driving/wall_freedom.h>
 #include <softgrain/model/state_file.h>
 #include <softgrain/mpm/body/body_builder.h>
+#include <softgrain/mpm/body/remembered_points.h>
 #include <softgrain/mpm/model/space_model.h>
-#include <softgrain/mpm/model/space_points.h>
 #include <softgrain/mpm/stepping/keep_points.h>
 
 #include <array>
@@ -142,6 +143,42 @@ void load_frames(const StateReader &in, SpaceState &state, const std::size_t n_w
   }
 }
 
+/// Images of partners in a cell that repeats, of frames or contacts.
+template <class List>
+std::vector<double> images_of(const List &list)
+{
+  std::vector<double> images;
+  for (const auto &one : list)
+    images.insert(images.end(), one.image.begin(), one.image.end());
+  return images;
+}
+
+template <class List>
+void take_images(const std::vector<double> &images, List &list)
+{
+  const double *at = images.data();
+  for (auto &one : list)
+    for (int &n : one.image)
+      n = static_cast<int>(*at++);
+}
+
+/// What is kept of a cell that repeats, and of no other scene.
+void save_cell(const SpaceState &state, StateWriter &out)
+{
+  out.write("space/cell/sums", std::vector<double>{state.cell_offset, state.motion.cell_work});
+  out.write("space/cell/images_of_frames", images_of(state.frames));
+  out.write("space/cell/images_of_contacts", images_of(state.contacts));
+}
+
+void load_cell(const StateReader &in, SpaceState &state)
+{
+  const std::vector<double> sums = in.read_doubles("space/cell/sums", 2);
+  state.cell_offset = sums[0];
+  state.motion.cell_work = sums[1];
+  take_images(in.read_doubles("space/cell/images_of_frames", 3 * state.frames.size()), state.frames);
+  take_images(in.read_doubles("space/cell/images_of_contacts", 3 * state.contacts.size()), state.contacts);
+}
+
 void save_contacts(const std::vector<SpaceContact> &contacts, StateWriter &out)
 {
   std::vector<std::uint64_t> who;
@@ -258,6 +295,8 @@ void SpaceModel::save(StateWriter &out) const
   save_obstacles(out, "space/obstacles", state.obstacles);
   save_frames(state.frames, out);
   save_contacts(state.contacts, out);
+  if (any_sides(driven))
+    save_cell(state, out);
   save_laws(state, out);
   if (!loads.empty())
     state.load_work.save(out, "space/loads");
@@ -296,6 +335,9 @@ void SpaceModel::load(StateReader &in)
   load_obstacles(in, "space/obstacles", state.time, state.obstacles);
   load_frames(in, state, driven.size());
   load_contacts(in, state);
+  if (any_sides(driven))
+    load_cell(in, state);
+  follow_step();
   load_laws(in, state);
   if (!loads.empty())
     state.load_work.load(in, "space/loads");

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/base/interruption.h>
+#include <softgrain/geometry/bisection.h>
 #include <softgrain/geometry/rigid_surface.h>
 #include <softgrain/geometry/solid.h>
 #include <softgrain/mpm/body/body_builder.h>
+#include <softgrain/mpm/body/remembered_points.h>
 #include <softgrain/mpm/body/solid_builder.h>
 #include <softgrain/mpm/model/long_steps.h>
 #include <softgrain/mpm/model/space_model.h>
-#include <softgrain/mpm/model/space_points.h>
 #include <softgrain/mpm/stepping/moving_step.h>
 #include <softgrain/mpm/stepping/safe_step.h>
 #include <softgrain/scene/motion_at_start.h>
@@ -100,6 +101,7 @@ SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const La
   for (const BodyDescription<3> &description : scene.bodies)
     add_body(description, laws[description.material], scene.materials[description.material].density);
   work.timer = timer.get();
+  share_out_bodies();
   work.reinit(state.bodies, settings.linear_solver);
   driven = make_walls(scene);
   for (const WallDescription<3> &wall : scene.walls)
@@ -146,6 +148,22 @@ void SpaceModel::add_body(const BodyDescription<3> &description,
   start(description, body);
   state.bodies.push_back(std::move(body));
   state.surfaces.emplace_back(description.shape, surface.triangles);
+}
+
+void SpaceModel::share_out_bodies()
+{
+  if (work.share.alone())
+    return;
+  std::vector<dealii::Point<3>> centers;
+  std::vector<double> weights;
+  for (const Body<3> &body : state.bodies)
+  {
+    centers.push_back(body.center());
+    // Factors of a band.
+    weights.push_back(std::pow(body.field.n_independent(), 7. / 3.));
+  }
+  std::vector<unsigned int> owners = bisect(centers, weights, work.share.exchange.number());
+  work.share.give(std::move(owners), std::vector<char>(state.bodies.size(), 1));
 }
 
 void SpaceModel::start(const BodyDescription<3> &description, Body<3> &body) const
@@ -270,7 +288,18 @@ StepReport SpaceModel::advance(const double dt_limit)
   report.n_contacts = state.contacts.size();
   state.time += taken.dt;
   ++steps;
+  check_ranks_agree(report);
   return report;
+}
+
+void SpaceModel::check_ranks_agree(const StepReport &report) const
+{
+  if (work.share.alone())
+    return;
+  double moved = 0.;
+  for (const Body<3> &body : state.bodies)
+    moved += body.displacement.squaredNorm();
+  work.share.exchange.check_alike({report.dt, report.newton_residual, report.contact_residual, moved});
 }
 
 void SpaceModel::settle(StepReport &report)
@@ -294,7 +323,7 @@ void SpaceModel::settle(StepReport &report)
     throw;
   }
   note(outcome, report);
-  follow_loads();
+  follow_step();
   if (outcome.held_steps > 0)
     state.losses.released += before - not_booked();
   for (std::size_t w = 0; w < driven.size(); ++w)

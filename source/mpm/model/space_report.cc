@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What SpaceModel tells of itself: walls, sums, energies, sizes, times.
+#include <softgrain/driving/wall_freedom.h>
 #include <softgrain/mpm/body/whole_rotation.h>
+#include <softgrain/mpm/model/rank_report.h>
 #include <softgrain/mpm/model/space_model.h>
 #include <softgrain/mpm/stepping/stress.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 namespace softgrain::mpm
 {
@@ -20,15 +24,21 @@ Energies SpaceModel::energies() const
 {
   Energies energies;
   energies.elastic = state.dent_energy;
+  for (const auto &[stored] : work.share.numbers<1>(
+           state.bodies,
+           [](const Body<3> &body)
+           {
+             return std::array<double, 1>{
+                 measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.displacement.size()))
+                     .energy};
+           }))
+    energies.elastic += stored;
   for (const Body<3> &body : state.bodies)
-  {
-    energies.elastic +=
-        measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.displacement.size())).energy;
     energies.kinetic += body.kinetic_energy();
-  }
   energies.dissipated = state.losses.regularisation + state.losses.released + state.losses.rubbed +
                         state.motion.scheme_damping + state.motion.contact_loss + state.laws.loss;
   energies.external_work = state.load_work.sum() + state.laws.supply;
+  energies.external_work += state.motion.cell_work;
   for (const Wall<3> &wall : driven)
     energies.external_work += wall.book.work;
   for (const Obstacle<3> &obstacle : state.obstacles)
@@ -71,25 +81,31 @@ StepState<3> SpaceModel::stress_of(const Body<3> &body) const
 
 double SpaceModel::solid_area() const
 {
-  double volume = 0.;
-  for (const Body<3> &body : state.bodies)
-  {
-    const StepState<3> stress = stress_of(body);
-    for (unsigned int p = 0; p < body.points.size(); ++p)
-      volume += body.points[p].rest_volume() * determinant(stress.gradient[p]);
-  }
-  return volume;
+  double sum = 0.;
+  for (const auto &[volume] : work.share.numbers<1>(state.bodies,
+                                                    [this](const Body<3> &body)
+                                                    {
+                                                      const StepState<3> stress = stress_of(body);
+                                                      double of_body = 0.;
+                                                      for (unsigned int p = 0; p < body.points.size(); ++p)
+                                                        of_body += body.points[p].rest_volume() *
+                                                                   determinant(stress.gradient[p]);
+                                                      return std::array<double, 1>{of_body};
+                                                    }))
+    sum += volume;
+  return sum;
 }
 
 double SpaceModel::coordination() const
 {
-  // Partners and walls, once each.
-  std::set<std::array<unsigned int, 3>> pairs;
+  // Partners, every image of them, and walls, once each.
+  std::set<std::tuple<unsigned int, unsigned int, unsigned int, PeriodicCell<3>::Image>> pairs;
   for (const SpaceContact &contact : state.contacts)
   {
-    pairs.insert({{contact.body, contact.partner, contact.wall}});
+    const PeriodicCell<3>::Image &n = contact.image;
+    pairs.insert({contact.body, contact.partner, contact.wall, n});
     if (contact.partner != ContactFrame<3>::none)
-      pairs.insert({{contact.partner, contact.body, contact.wall}});
+      pairs.insert({contact.partner, contact.body, contact.wall, {{-n[0], -n[1], -n[2]}}});
   }
   return static_cast<double>(pairs.size()) / state.bodies.size();
 }
@@ -109,10 +125,13 @@ SizeReport SpaceModel::size_report() const
   std::size_t nodes = 0;
   for (const Body<3> &body : state.bodies)
     nodes += body.field.n_independent();
-  return {{"bodies", std::to_string(state.bodies.size())},
-          {"cell size", cells.str()},
-          {"material points", std::to_string(n_points())},
-          {"nodes", std::to_string(nodes)}};
+  SizeReport report = {{"bodies", std::to_string(state.bodies.size())},
+                       {"cell size", cells.str()},
+                       {"material points", std::to_string(n_points())},
+                       {"nodes", std::to_string(nodes)}};
+  if (!work.share.alone())
+    report_idle_ranks(report_bodies_of_ranks(work.share, state.bodies, report), report);
+  return report;
 }
 
 std::vector<std::pair<std::string, double>> SpaceModel::works() const
@@ -124,6 +143,8 @@ std::vector<std::pair<std::string, double>> SpaceModel::works() const
     columns.emplace_back(obstacle.description.name + "_work_J", obstacle.work);
   for (const std::string &load : loads.names())
     columns.emplace_back(load + "_work_J", state.load_work.of(load));
+  if (any_sides(driven) && !at_rest())
+    columns.emplace_back("cell_work_J", state.motion.cell_work);
   if (std::any_of(state.bodies.begin(), state.bodies.end(),
                   [](const Body<3> &body) { return body.law->is_active(); }))
     columns.emplace_back("growth_work_J", state.laws.supply);

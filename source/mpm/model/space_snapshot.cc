@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What pictures and measures are told of a scene in space.
+#include <softgrain/driving/folded_bodies.h>
+#include <softgrain/mpm/body/remembered_points.h>
 #include <softgrain/mpm/model/point_history.h>
 #include <softgrain/mpm/model/space_model.h>
-#include <softgrain/mpm/model/space_points.h>
 
 namespace softgrain::mpm
 {
@@ -75,6 +76,7 @@ Snapshot<3> SpaceModel::snapshot() const
         body, [begin](const unsigned int p) { return begin + p; }, result.points);
     begin += body.points.size();
   }
+  const std::optional<FoldedBodies<3>> cell = fold_bodies(result);
   for (const SpaceContact &of_ray : state.contacts)
   {
     ContactState<3> contact;
@@ -87,6 +89,8 @@ Snapshot<3> SpaceModel::snapshot() const
     contact.normal = of_ray.normal;
     contact.force = of_ray.force;
     contact.gap = of_ray.gap;
+    if (cell)
+      cell->fold(contact, {}, of_ray.image);
     result.contacts.push_back(contact);
   }
   return result;

@@ -17,12 +17,13 @@ namespace
 /// Mean over a step from @p time on; of a wall under a load where it began.
 WallMotion<3> motion_of(Wall<3> wall, const double time, const double dt)
 {
-  if (is_free(wall, Freedom::across))
-    return {wall.description.point, wall.normal(), 0.};
-  if (dt == 0.)
-    return {wall.point(), wall.normal(), 0.};
+  const bool free = is_free(wall, Freedom::across);
+  WallMotion<3> motion{free ? wall.description.point : wall.point(), wall.normal(), 0.};
+  motion.plane = is_plane(wall);
+  if (free || dt == 0.)
+    return motion;
   plan(wall, time, dt);
-  WallMotion<3> motion{wall.point(), wall.normal(), wall.speed};
+  motion.velocity = wall.speed;
   motion.slide = wall.slide_speed;
   return motion;
 }
@@ -55,6 +56,7 @@ double SpaceModel::fastest_obstacle(const double dt) const
 SpaceMotion SpaceModel::motion(const double dt) const
 {
   SpaceMotion motion;
+  motion.cell_offset = state.cell_offset;
   for (const Wall<3> &wall : driven)
   {
     motion.walls.push_back(motion_of(wall, state.time, dt));
@@ -91,15 +93,17 @@ void SpaceModel::book_wall(const std::size_t w,
   wall.book.force = dealii::Tensor<1, 3>() - state.wall_force[w];
 }
 
-void SpaceModel::follow_loads()
+void SpaceModel::follow_step()
 {
+  for_sides(driven, [this](Wall<3> &side) { side.offset = state.cell_offset; });
   for (std::size_t w = 0; w < driven.size(); ++w)
-    if (is_free(driven[w], Freedom::across))
-    {
-      driven[w].travel = state.loaded[w].way;
-      driven[w].book.work += state.loaded[w].work;
-      state.loaded[w].work = 0.;
-    }
+  {
+    if (!is_free(driven[w], Freedom::across))
+      continue;
+    driven[w].travel = state.loaded[w].way;
+    driven[w].book.work += state.loaded[w].work;
+    state.loaded[w].work = 0.;
+  }
 }
 
 void SpaceModel::book(const SpaceMotion &motion, const double dt)
@@ -108,7 +112,7 @@ void SpaceModel::book(const SpaceMotion &motion, const double dt)
   std::vector<double> of_loads(driven.size(), 0.); // what the mean lacks is part of their work already
   for (std::size_t w = 0; w < driven.size(); ++w)
     book_wall(w, motion, dt, of_loads[w], works);
-  follow_loads();
+  follow_step();
   if (!at_rest())
     return;
   book_obstacles(motion, works);

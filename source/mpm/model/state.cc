@@ -23,7 +23,7 @@ bool State::repeats() const
   return any_sides(walls);
 }
 
-std::optional<CellMotion> State::cell_motion(const std::vector<WallMotion<2>> &motion) const
+std::optional<CellMotion<2>> State::cell_motion(const std::vector<WallMotion<2>> &motion) const
 {
   if (!repeats())
     return std::nullopt;

@@ -4,6 +4,7 @@
 #include <softgrain/mpm/stepping/accept_step.h>
 #include <softgrain/mpm/stepping/account_contacts.h>
 #include <softgrain/mpm/stepping/account_loads.h>
+#include <softgrain/mpm/stepping/cell_work.h>
 #include <softgrain/mpm/stepping/keep_points.h>
 #include <softgrain/mpm/stepping/step_rows.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
@@ -36,29 +37,12 @@ void note_contacts(State &state,
   }
 }
 
-/// After a step of @p dt in which the cell deformed: velocities are those beside that of the cell as it is
-/// now, so that its copies stay alike (CellMotion); books what that does.
-void measure_against_cell(State &state, const CellMotion &cell, const double dt)
-{
-  const MeasuredAgain again(cell, dt);
-  for (Body<2> &body : state.bodies)
-  {
-    const double mass = body.mass.sum();
-    const dealii::Tensor<1, 2> momentum = body.momentum(), change = again.change(mass, momentum);
-    for (unsigned int i = 0; i < body.mass.size(); ++i)
-      for (unsigned int d = 0; d < 2; ++d)
-        body.velocity[2 * i + d] += change[d];
-    state.balance.momentum.of_loads += mass * change;
-    state.balance.cell_work += (momentum + 0.5 * mass * change) * change;
-  }
-}
-
 /// What nodes do, of all bodies; @p cell takes them along.
 void move_bodies(const Problem &problem,
                  State &state,
                  const Workspace &work,
                  FoundStep &step,
-                 const std::optional<CellMotion> &cell)
+                 const std::optional<CellMotion<2>> &cell)
 {
   const double dt = step.plan.dt;
   for (Body<2> &body : state.bodies)
@@ -114,7 +98,7 @@ void move_points(const Problem &problem, State &state, const Workspace &work)
     state.balance.growth_work += supply;
 }
 
-void move_walls(State &state, const FoundStep &step, const std::optional<CellMotion> &cell)
+void move_walls(State &state, const FoundStep &step, const std::optional<CellMotion<2>> &cell)
 {
   const double dt = step.plan.dt;
   for (unsigned int w = 0; w < state.walls.size(); ++w)
@@ -140,11 +124,15 @@ void accept_step(const Problem &problem, State &state, Workspace &work, FoundSte
     state.adhesion.finish_step();
   }
   account_loads(state, work, step);
-  const std::optional<CellMotion> cell = state.cell_motion(step.motion);
+  const std::optional<CellMotion<2>> cell = state.cell_motion(step.motion);
   move_bodies(problem, state, work, step, cell);
   move_points(problem, state, work);
   if (cell && !step.balanced)
-    measure_against_cell(state, *cell, dt);
+  {
+    const CellWork<2> done = measure_against_cell(*cell, dt, state.bodies);
+    state.balance.momentum.of_loads += done.impulse;
+    state.balance.cell_work += done.work;
+  }
   move_walls(state, step, cell);
   if (!step.plan.held)
     state.time += dt;

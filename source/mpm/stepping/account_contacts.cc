@@ -37,7 +37,7 @@ private:
   const FoundStep &step;
   const double dt;
   const PlanePartners partners;
-  const std::optional<CellMotion> cell;
+  const std::optional<CellMotion<2>> cell;
   dealii::Tensor<2, 2> virial;
 };
 

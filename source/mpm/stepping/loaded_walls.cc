@@ -23,9 +23,27 @@ double distance_along(const std::vector<WallMotion<3>> &walls, const dealii::Ten
 }
 } // namespace
 
+std::optional<CellMotion<3>> SpaceMotion::cell() const
+{
+  std::vector<CellSide<3>> sides;
+  for (const WallMotion<3> &wall : walls)
+    if (!wall.plane)
+      sides.push_back({wall.point, wall.normal});
+  if (sides.empty())
+    return std::nullopt;
+  CellMotion<3> motion;
+  motion.cell = make_cell(sides, cell_offset);
+  for (const WallMotion<3> &wall : walls)
+    if (!wall.plane)
+      motion.add_side(wall.normal, wall.mean_velocity());
+  return motion;
+}
+
 SpaceMotion SpaceMotion::at_end(const double dt) const
 {
   SpaceMotion end = *this;
+  if (const auto repeats = cell())
+    end.cell_offset = repeats->offset_after(dt);
   for (WallMotion<3> &wall : end.walls)
   {
     wall.point += dt * wall.velocity * wall.normal;

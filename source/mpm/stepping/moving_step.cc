@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/body/whole_rotation.h>
 #include <softgrain/mpm/contact/moved_boundary.h>
+#include <softgrain/mpm/stepping/cell_work.h>
 #include <softgrain/mpm/stepping/contact_work.h>
 #include <softgrain/mpm/stepping/moving_equations.h>
 #include <softgrain/mpm/stepping/moving_step.h>
@@ -8,6 +9,7 @@
 #include <softgrain/mpm/stepping/stress.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -30,7 +32,12 @@ public:
 private:
   void note_contact_work();
   std::string why_contact_gives() const;
-  void account_body(Body<3> &body, SpaceState &state);
+  /// What all learn of a body: what the scheme damped and what held it took [J], the momentum of its nodes,
+  /// and the impulse of its loads [N s].
+  using OfBody = std::array<double, 6>;
+  /// Ends the step of an owned body.
+  OfBody end_of(const Body<3> &body);
+  void accept_motion(SpaceState &state);
 
   MovingEquations &moving;
   std::vector<double> obstacle_work; ///< on the bodies [J]
@@ -68,15 +75,17 @@ void MovingStep::note_contact_work()
       for (unsigned int k = 0; k < frames[f].n_rays(); ++k)
         if (force[f][k] != 0.)
         {
-          const double work = (force[f][k] * frames[f].derivatives().resultant(k) +
-                               frames[f].ray(k).rub.in_space(rubbing[f][k])) *
-                              way_of_partner(frames[f], k);
+          const double work = force_on_body(f, k) * way_of_partner(frames[f], k);
           if (const unsigned int o = obstacle_of(layout); o != none)
             obstacle_work[o] += work;
           taken += work;
         }
-  for (unsigned int b = 0; b < way.size(); ++b)
-    taken -= contact_forces(b).dot(way[b]);
+  for (const auto &[work] : world.share.numbers<1>(
+           world.bodies, [&](const Body<3> &body)
+           { return std::array<double, 1>{contact_forces(body.index).dot(way[body.index])}; }))
+    taken -= work;
+  if (cell)
+    taken -= plan.dt * scalar_product(cell->gradient, virial());
 }
 
 std::string MovingStep::why_contact_gives() const
@@ -84,9 +93,15 @@ std::string MovingStep::why_contact_gives() const
   const auto stored = [this]
   {
     double sum = 0.;
-    for (const Body<3> &body : world.bodies)
-      sum +=
-          measure_points(body, Eigen::VectorXd(body.displacement + way[body.index]), way[body.index]).energy;
+    for (const auto &[energy] : world.share.numbers<1>(
+             world.bodies,
+             [&](const Body<3> &body)
+             {
+               const Eigen::VectorXd &gone = way[body.index];
+               return std::array<double, 1>{
+                   measure_points(body, Eigen::VectorXd(body.displacement + gone), gone).energy};
+             }))
+      sum += energy;
     return sum;
   };
   const std::optional<double> held = energy_where_contact_gives(world.bodies, -taken, stored);
@@ -95,34 +110,72 @@ std::string MovingStep::why_contact_gives() const
               : "";
 }
 
-void MovingStep::account_body(Body<3> &body, SpaceState &state)
+MovingStep::OfBody MovingStep::end_of(const Body<3> &body)
 {
   const unsigned int b = body.index;
-  MotionBalance &balance = state.motion;
   spread_imbalance(body, moving.missing(b) + plan.dt * contact_forces(b), trial[b]);
-  balance.scheme_damping += moving.damping(b, trial[b]);
-  state.losses.regularisation += moving.held_work(b);
-  if (const Eigen::VectorXd &load = moving.external[b]; load.size() > 0)
-  {
-    account_load(body, load, moving.load_times(), state);
-    for (unsigned int i = 0; i < body.mass.size(); ++i)
-      for (unsigned int d = 0; d < 3; ++d)
-        balance.impulse[d] += plan.dt * load[3 * i + d];
-  }
-  body.velocity = trial[b];
-  body.internal_force = moving.internal[b];
-  double moves = 0.;
+  OfBody told{};
+  told[0] = moving.damping(b, trial[b]);
+  told[1] = moving.held_work(b);
+  const Eigen::VectorXd &load = moving.external[b];
   for (unsigned int i = 0; i < body.mass.size(); ++i)
-    moves += std::abs(body.mass[i]) * body.velocity.segment<3>(3 * i).norm();
-  balance.largest_momentum = std::max(balance.largest_momentum, moves);
+  {
+    told[2] += std::abs(body.mass[i]) * trial[b].segment<3>(3 * i).norm();
+    for (unsigned int d = 0; d < 3 && load.size() > 0; ++d)
+      told[3 + d] += plan.dt * load[3 * i + d];
+  }
+  return told;
+}
+
+void MovingStep::accept_motion(SpaceState &state)
+{
+  std::vector<OfBody> told(state.bodies.size(), OfBody{});
+  world.share.for_mine(
+      state.bodies,
+      [&](Body<3> &body)
+      {
+        told[body.index] = end_of(body);
+        body.velocity = trial[body.index];
+        body.internal_force = moving.internal[body.index];
+      },
+      [&](BodyShare::Message &message)
+      {
+        for (Body<3> &body : state.bodies)
+        {
+          body.internal_force.resize(body.velocity.size());
+          message.add(body.index, told[body.index].data(), told[body.index].size());
+          message.add(body.index, body.velocity.data(), body.velocity.size());
+          message.add(body.index, body.internal_force.data(), body.internal_force.size());
+        }
+      });
+  MotionBalance &balance = state.motion;
+  for (const OfBody &of_body : told)
+  {
+    balance.scheme_damping += of_body[0];
+    state.losses.regularisation += of_body[1];
+    balance.largest_momentum = std::max(balance.largest_momentum, of_body[2]);
+    balance.impulse += dealii::Tensor<1, 3>({of_body[3], of_body[4], of_body[5]});
+  }
 }
 
 void MovingStep::accept(SpaceState &state)
 {
-  for (Body<3> &body : state.bodies)
-    account_body(body, state);
+  account_loads(
+      [this](const Body<3> &body)
+      {
+        const Eigen::VectorXd &load = moving.external[body.index];
+        return load.size() > 0 ? works_of_loads(body, load, moving.load_times()) : std::vector<double>();
+      },
+      state);
+  accept_motion(state);
   state.motion.contact_loss += taken;
   accept_ways(state);
+  if (cell)
+  {
+    const CellWork<3> done = measure_against_cell(*cell, plan.dt, state.bodies);
+    state.motion.impulse += done.impulse;
+    state.motion.cell_work += done.work;
+  }
   for (unsigned int o = 0; o < obstacle_work.size(); ++o)
   {
     state.obstacles[o].work += obstacle_work[o];

@@ -211,7 +211,7 @@ double safe_in_cell(const Problem &problem,
     narrowest = std::min(narrowest, flight.width);
     widest = std::max(widest, flight.lower.distance(flight.upper));
   }
-  CellMotion cell;
+  CellMotion<2> cell;
   cell.cell = cell_of(state.walls);
   for_sides(state.walls,
             [&](const Wall<2> &side)

@@ -29,9 +29,12 @@ void SpaceWorkspace::reinit(const std::vector<Body<3>> &bodies, const LinearSolv
   solvers.clear();
   for (const Body<3> &body : bodies)
   {
+    solvers.emplace_back();
+    if (!share.mine(body.index))
+      continue;
     lay_out_stiffness(body.field, matrices[body.index], true);
-    solvers.push_back(
-        std::make_unique<LowRankSolver>(create_linear_solver(of_space, matrices[body.index], 3, true)));
+    solvers.back() =
+        std::make_unique<LowRankSolver>(create_linear_solver(of_space, matrices[body.index], 3, true));
   }
 }
 
@@ -75,23 +78,27 @@ bool SpaceEquations::evaluate(const Vectors &v)
 {
   dealii::TimerOutput::Scope section(*work.timer, "stress and forces");
   stress.assign(bodies.size(), StressOutcome());
-  work.share.for_mine(bodies,
-                      [&](const Body<3> &body)
-                      {
-                        const unsigned int b = body.index;
-                        increment[b] = increment_of(body, v[b]);
-                        Trial asked;
-                        asked.tangent = true;
-                        asked.max_strain = settings.max_strain;
-                        asked.dt = plan.law_dt();
-                        asked.time = end;
-                        stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]),
-                                                    increment[b], asked, work.trial[b]);
-                        if (!stress[b].good())
-                          return;
-                        internal_force(body, work.trial[b], internal[b]);
-                        find_missing(body, v[b]);
-                      });
+  SharedOutcomes outcomes(work.share, stress);
+  work.share.for_mine(
+      bodies,
+      [&](const Body<3> &body)
+      {
+        const unsigned int b = body.index;
+        increment[b] = increment_of(body, v[b]);
+        Trial asked;
+        asked.tangent = true;
+        asked.max_strain = settings.max_strain;
+        asked.dt = plan.law_dt();
+        asked.time = end;
+        stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
+                                    asked, work.trial[b]);
+        if (!stress[b].good())
+          return;
+        internal_force(body, work.trial[b], internal[b]);
+        find_missing(body, v[b]);
+      },
+      [&](BodyShare::Message &message) { outcomes.add_to(message); });
+  outcomes.take();
   for (bad_body = 0; bad_body < stress.size(); ++bad_body)
     if (!stress[bad_body].good())
       return false;

@@ -5,6 +5,7 @@
 #include <softgrain/mpm/stepping/space_step.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace softgrain::mpm
@@ -30,7 +31,7 @@ public:
 
 private:
   void account_frame(unsigned int f, SpaceState &state) const;
-  void account_loads(const Body<3> &body, SpaceState &state) const;
+  std::vector<double> works_of_step(const Body<3> &body) const;
   void account_pressures(const std::vector<dealii::Tensor<1, 3>> &force_before, SpaceState &state) const;
 
   SpaceEquations &of_space;
@@ -45,21 +46,18 @@ std::string StepAtRest::find()
 }
 
 /// Loads at the middle of a step do more exact work than those at its end.
-void StepAtRest::account_loads(const Body<3> &body, SpaceState &state) const
+std::vector<double> StepAtRest::works_of_step(const Body<3> &body) const
 {
   const Eigen::VectorXd &of_step = of_space.external[body.index];
   if (of_step.size() == 0)
-    return;
+    return {};
   LoadTimes times = of_space.load_times();
   if (plan.held)
-  {
-    account_load(body, of_step, times, state);
-    return;
-  }
+    return works_of_loads(body, of_step, times);
   times.at = times.begin + 0.5 * plan.dt;
   Eigen::VectorXd load;
   external_force(body, times, load);
-  account_load(body, load, times, state);
+  return works_of_loads(body, load, times);
 }
 
 // From balance to balance friction does the work of the mean of both ends, but for what kinks tell.
@@ -92,13 +90,18 @@ void StepAtRest::account_pressures(const std::vector<dealii::Tensor<1, 3>> &forc
 
 void StepAtRest::accept(SpaceState &state)
 {
-  state.held_back.resize(way.size());
-  for (unsigned int b = 0; b < way.size(); ++b)
+  state.held_back.clear();
+  for (const auto &[held_back, work] :
+       world.share.numbers<2>(state.bodies,
+                              [&](const Body<3> &body) {
+                                return std::array<double, 2>{of_space.held_back(body.index),
+                                                             of_space.regularisation_work(body.index)};
+                              }))
   {
-    state.held_back[b] = of_space.held_back(b);
-    state.losses.regularisation += of_space.regularisation_work(b);
-    account_loads(state.bodies[b], state);
+    state.held_back.push_back(held_back);
+    state.losses.regularisation += work;
   }
+  account_loads([this](const Body<3> &body) { return works_of_step(body); }, state);
   state.dent_energy = 0.;
   state.kinks = ContactKinks();
   for (unsigned int f = 0; f < frames.size(); ++f)
@@ -114,6 +117,7 @@ StepOutcome SpaceAtRest::step(const StepPlan &plan)
   stands = motion.at_end(plan.dt);
   SpaceMotion now = plan.held ? stands : motion;
   now.walls = walls_now(now, state.loaded);
+  now.cell_offset = state.cell_offset;
   SpaceEquations equations(state.bodies, scene.settings, scene.work, plan, state.time, scene.frictionless);
   StepAtRest step(state, scene, now, plan, equations);
   return try_ray_step(step, state);

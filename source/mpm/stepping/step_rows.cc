@@ -35,7 +35,7 @@ Verdict judge(const Problem &problem,
               const double share)
 {
   dealii::TimerOutput::Scope section(*work.timer, "overlap check");
-  const std::optional<CellMotion> cell = state.cell_motion(motion);
+  const std::optional<CellMotion<2>> cell = state.cell_motion(motion);
   const OutlineScene scene{state.bodies,
                            work.drive,
                            motion,

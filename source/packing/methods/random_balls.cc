@@ -32,12 +32,21 @@ public:
     prm.declare_entry("Packing fraction", "0", Double(0., 0.74),
                       "Share of the box that the balls fill; all diameters are scaled by one factor to reach "
                       "it. 0: diameters are kept. Units: none.");
+    prm.declare_entry(
+        "Periodic", "", MultipleSelection("x|y|z"),
+        "Directions in which the box has no sides: x, y, z, or several, as x, z. A ball that leaves on one "
+        "side enters on the other, and balls reach over the edge. For cells that repeat; a scene with a "
+        "plane "
+        "there refuses them.");
     prm.declare_entry("Seed", "1", Integer(0), "Seed of the random sizes and places. Units: none.");
   }
 
   void parse_parameters(dealii::ParameterHandler &prm) override
   {
     parse_request(prm, request);
+    const std::string periodic = prm.get("Periodic");
+    for (unsigned int d = 0; d < 3; ++d)
+      request.periodic[d] = periodic.find("xyz"[d]) != std::string::npos;
     check_box(prm, request, request.fraction > 0. ? 0. : request.sizes.largest, "ball");
   }
 

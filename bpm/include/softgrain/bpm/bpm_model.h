@@ -133,12 +133,13 @@ private:
   void read_wall_contacts(const StateReader &in);
   void show(const GatheredPrimaries &seen, const Outlines &loops, Snapshot<2> &snapshot) const;
   /// Brings bodies into a cell that repeats, and adds the contacts between them and with walls.
-  std::optional<FoldedBodies> add_contacts(const GatheredPrimaries &seen, Snapshot<2> &snapshot) const;
+  std::optional<FoldedBodies<2>> add_contacts(const GatheredPrimaries &seen, Snapshot<2> &snapshot) const;
   /// Centre of mass of a body of these primaries.
   dealii::Point<2> center_of(const Primaries &disks, std::size_t body) const;
   void show_bodies(const Primaries &disks, const Outlines &loops, Snapshot<2> &snapshot) const;
   ContactState<2> contact_state(const GatheredPrimaries &seen, std::size_t row) const;
-  void add_inner_forces(const GatheredPrimaries &seen, Snapshot<2> &snapshot, const FoldedBodies *cell) const;
+  void
+  add_inner_forces(const GatheredPrimaries &seen, Snapshot<2> &snapshot, const FoldedBodies<2> *cell) const;
   void add_stresses(const GatheredPrimaries &seen, Snapshot<2> &snapshot) const;
   /// Gives bodies and contacts of @p snapshot from the first one to all.
   void tell_of_bodies(Snapshot<2> &snapshot, const Outlines &loops) const;

@@ -259,7 +259,7 @@ private:
   std::vector<std::uint32_t> pair_of_row;
   std::vector<std::array<double, 2>> force;
   ContactMemories remembered;
-  std::optional<CellMotion> cell;               ///< as the walls move now; nothing where nothing repeats
+  std::optional<CellMotion<2>> cell;            ///< as the walls move now; nothing where nothing repeats
   std::vector<dealii::Point<2>> center_of_body; ///< in a cell [m]
   std::vector<double> mass_of_body;             ///< in a cell [kg/m]
 

@@ -60,12 +60,12 @@ struct FrameScene
   const std::vector<Body<dim>> &bodies;
   const std::vector<BodySurface<dim>> &outlines; ///< of the bodies, in the configuration of their grids
   const std::vector<WallMotion<dim>> &walls;
-  double cell_size;                    ///< [m]
-  SubgridLaw<dim> subgrid;             ///< what the grid misses of dents
-  double reach;                        ///< gap up to which places of bodies at rest are looked at [m]
-  const ContactPairs *pairs = nullptr; ///< what bodies and walls do to each other; null: no friction
-  const CellMotion *cell = nullptr;    ///< that repeats; null: nothing does
-  double dt = 0.;                      ///< [s]
+  double cell_size;                      ///< [m]
+  SubgridLaw<dim> subgrid;               ///< what the grid misses of dents
+  double reach;                          ///< gap up to which places of bodies at rest are looked at [m]
+  const ContactPairs *pairs = nullptr;   ///< what bodies and walls do to each other; null: no friction
+  const CellMotion<dim> *cell = nullptr; ///< that repeats; null: nothing does
+  double dt = 0.;                        ///< [s]
   FrameWays<dim> ways = {};
   RayInstants instants = {};
   const AllRigidRays<dim> *lines = nullptr; ///< of the obstacles; null: there are none

@@ -53,7 +53,7 @@ struct FreeWay
 private:
   unsigned int wall, slab;
   Vector way;
-  std::optional<CellMotion> cell; ///< motion of the cell per unit of the way
+  std::optional<CellMotion<dim>> cell; ///< motion of the cell per unit of the way
 };
 } // namespace softgrain::mpm
 

@@ -11,10 +11,11 @@
 namespace softgrain::mpm
 {
 /// Two things of which one meets an image of the other, across a side of the cell.
+template <int dim>
 struct ImagePair
 {
   unsigned int a, b;
-  PeriodicCell<2>::Image image; ///< of b, that a meets
+  typename PeriodicCell<dim>::Image image; ///< of b, that a meets
 };
 
 /**
@@ -22,8 +23,9 @@ struct ImagePair
  * @param boxes around things whose centres lie in the cell, which are smaller than it
  * @return in an order that depends on nothing else; a pair of a thing with itself when the cell is too small
  */
-std::vector<ImagePair> pairs_across(const std::vector<dealii::BoundingBox<2>> &boxes,
-                                    const PeriodicCell<2> &cell);
+template <int dim>
+std::vector<ImagePair<dim>> pairs_across(const std::vector<dealii::BoundingBox<dim>> &boxes,
+                                         const PeriodicCell<dim> &cell);
 } // namespace softgrain::mpm
 
 #endif

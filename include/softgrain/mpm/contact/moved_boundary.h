@@ -31,7 +31,7 @@ struct OutlineScene
   const std::vector<Eigen::VectorXd> &increment; ///< displacement of the nodes over the step, by body [m]
   double share;                                  ///< where in the step outlines are: 0 its start, 1 its end
   const std::vector<Obstacle<2>> *obstacles = nullptr; ///< with their way in the step; null: none
-  const CellMotion *cell = nullptr;                    ///< null: nothing repeats
+  const CellMotion<2> *cell = nullptr;                 ///< null: nothing repeats
   const BodyShare *looking = nullptr;                  ///< owned bodies are looked at; null: all are
 };
 

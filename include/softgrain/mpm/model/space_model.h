@@ -59,6 +59,7 @@ public:
   std::vector<std::pair<std::string, double>> works() const override;
   std::vector<std::pair<std::string, double>> extra_history() const override;
   std::map<std::string, double> phases() const override;
+  RankTimes rank_times() const override { return work.share.exchange.taken(); }
   void save(StateWriter &out) const override;
   void load(StateReader &in) override;
 
@@ -83,6 +84,10 @@ private:
   void add_body(const BodyDescription<3> &description,
                 const std::shared_ptr<const constitutive::Law<3>> &law,
                 double density);
+  /// Gives bodies to ranks by where they are.
+  void share_out_bodies();
+  /// @throw ComputationError when ranks have come to different states
+  void check_ranks_agree(const StepReport &report) const;
   /// Gives a body the velocity with which it begins.
   void start(const BodyDescription<3> &description, Body<3> &body) const;
   double cfl_step() const; ///< in which a wave goes through a cell [s]
@@ -98,8 +103,9 @@ private:
   /// @param of_load gets what bodies get of a load beside the work of its mean force [J]
   void book_wall(
       std::size_t w, const SpaceMotion &motion, double dt, double &of_load, std::vector<DrivenWork> &works);
-  /// Takes over how far loads have moved walls, and what they have done.
-  void follow_loads();
+  /// Takes over what a step has found out of walls: how far loads have moved them, what those have done, and
+  /// where the cell above stands.
+  void follow_step();
   void book_obstacles(const SpaceMotion &motion, std::vector<DrivenWork> &works);
   /// The fastest of obstacles in a step from now on [m/s].
   double fastest_obstacle(double dt) const;

@@ -76,7 +76,7 @@ struct State
   bool repeats() const;
 
   /// How the cell deforms in a step; nothing when it does not repeat.
-  std::optional<CellMotion> cell_motion(const std::vector<WallMotion<2>> &motion) const;
+  std::optional<CellMotion<2>> cell_motion(const std::vector<WallMotion<2>> &motion) const;
 };
 
 /// Calls @p work for every one of @p bodies that is not driven, on all threads; it may write only to what is

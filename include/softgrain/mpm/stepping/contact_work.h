@@ -50,7 +50,7 @@ private:
   const Workspace &work;
   const double dt;
   const std::vector<WallMotion<2>> &motion;
-  const std::optional<CellMotion> cell;
+  const std::optional<CellMotion<2>> cell;
   const bool balanced;
   const unsigned int components;
   std::vector<double> relative; ///< of bodies, and of what is driven [m/s]

@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_stepping_loaded_walls_h
 #define softgrain_mpm_stepping_loaded_walls_h
 
+#include <softgrain/driving/cell_motion.h>
 #include <softgrain/driving/obstacle.h>
 #include <softgrain/driving/wall_step.h>
 #include <softgrain/mpm/contact/wall_motion.h>
@@ -20,6 +21,10 @@ struct SpaceMotion
   std::vector<ObstacleMotion<3>> obstacles;
   std::vector<std::optional<double>> pressure; ///< of walls under loads, towards the bodies, at the end [Pa]
   std::vector<double> pressure_at_start;       ///< the same, 0 without a load [Pa]
+  double cell_offset = 0.; ///< of the cell above, of one that repeats, as the step begins [m]
+
+  /// The cell between those walls that are its sides, as it is and as it deforms; nothing without any.
+  std::optional<CellMotion<3>> cell() const;
 
   /// All stands where a step of @p dt ends, but for walls under loads.
   SpaceMotion at_end(double dt) const;

@@ -40,7 +40,7 @@ private:
   const Workspace &work;
   const double dt;
   const std::vector<WallMotion<2>> &motion;
-  std::optional<CellMotion> cell;
+  std::optional<CellMotion<2>> cell;
   const AllRigidRays<2> lines;
 };
 } // namespace softgrain::mpm

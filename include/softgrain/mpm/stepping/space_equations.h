@@ -22,13 +22,13 @@ namespace softgrain::mpm
 /// What steps in space work with and every step fills anew.
 struct SpaceWorkspace
 {
-  BodyShare share;                                     ///< all are owned
-  std::vector<StepState<3>> trial;                     ///< one per body
+  BodyShare share;
+  std::vector<StepState<3>> trial;                     ///< one per body, of owned ones
   std::vector<SystemMatrix> matrices;                  ///< likewise
-  std::vector<std::unique_ptr<LowRankSolver>> solvers; ///< likewise
+  std::vector<std::unique_ptr<LowRankSolver>> solvers; ///< likewise; null for others
   dealii::TimerOutput *timer = nullptr;
 
-  /// Lays out matrices and solvers of the bodies.
+  /// Lays out matrices and solvers of owned bodies.
   void reinit(const std::vector<Body<3>> &bodies, const LinearSolverSettings &settings);
 };
 

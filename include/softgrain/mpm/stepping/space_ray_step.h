@@ -5,6 +5,8 @@
 #include <softgrain/mpm/stepping/ray_newton.h>
 #include <softgrain/mpm/stepping/space_step.h>
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,20 +49,38 @@ protected:
   /// Way over the step of the place of a wall or an obstacle that a ray has met [m].
   dealii::Tensor<1, 3> way_of_partner(const FrameState<3> &frame, unsigned int k) const;
 
-  /// Books what loads do on a body over its way. @param load their force, taken at @p times
-  void account_load(const Body<3> &body,
-                    const Eigen::VectorXd &load,
-                    const LoadTimes &times,
-                    SpaceState &state) const;
+  /// The force of ray @p k of frame @p f on the body of the frame [N].
+  dealii::Tensor<1, 3> force_on_body(unsigned int f, unsigned int k) const;
+  /// Sum over contacts of the force on a body times the vector to its centre from that of its partner, or
+  /// from the place where it meets a wall, as the step begins, see load_sides() [N m].
+  dealii::Tensor<2, 3> virial() const;
+
+  /// What each of the loads of a body does over its way [J]. @param load their force, taken at @p times
+  std::vector<double>
+  works_of_loads(const Body<3> &body, const Eigen::VectorXd &load, const LoadTimes &times) const;
+  /// Books what loads do. @param works_of gives works_of_loads() of an owned body; empty: nothing acts on it
+  void account_loads(const std::function<std::vector<double>(const Body<3> &)> &works_of,
+                     SpaceState &state) const;
   /// Writes contacts, frames and forces on walls into the state, and moves the bodies and their points.
   void accept_ways(SpaceState &state);
 
+  std::optional<CellMotion<3>> cell; ///< that repeats, and how it deforms in the step; nothing: nothing does
+
 private:
+  /// Takes over how walls that are sides of a cell move: it takes the bodies along.
+  void take_bodies_along();
   void find_free_walls() override;
   void move_free_walls() override;
   double other_way() const override { return way_of_obstacles; }
   std::string partner_of(const ContactFrame<3> &frame) const override;
   void add_contacts(unsigned int f, SpaceState &state) const;
+  /// Moves all bodies, and lets points of owned ones keep what they went through, which all learn.
+  void move_bodies(SpaceState &state);
+
+  /// Where a ray presses [m].
+  dealii::Point<3> place_of(const FrameState<3> &frame, unsigned int k) const;
+  /// Puts forces through the sides of a cell on them, and moves the cell above.
+  void load_sides_of_cell(SpaceState &state) const;
 
   const std::vector<StepState<3>> &of_points; ///< of the trial, body by body
   const std::vector<std::string> &wall_names;

@@ -24,6 +24,7 @@ struct SpaceContact
   dealii::Tensor<1, 3> normal;      ///< unit, out of the partner, at right angles to friction
   dealii::Tensor<1, 3> force;       ///< on the body; the partner feels the opposite [N]
   double gap;                       ///< [m]
+  PeriodicCell<3>::Image image{};   ///< of the partner, in a cell that repeats
 };
 
 /// Sums since the start of what steps with inertia in space do.
@@ -31,6 +32,7 @@ struct MotionBalance
 {
   double scheme_damping = 0;    ///< see Balance of the plane [J]
   double contact_loss = 0;      ///< taken by impacts and friction [J]
+  double cell_work = 0;         ///< of a cell that deforms, beside that of its sides: see CellMotion [J]
   dealii::Tensor<1, 3> impulse; ///< of loads and walls, and the momentum at the start [N s]
   double largest_momentum = 0;  ///< of the nodes of a body [N s]
 };
@@ -59,6 +61,7 @@ struct SpaceProgress
   NamedSums load_work;                          ///< done by loads, since the start [J]
   MotionBalance motion;                         ///< with inertia
   ContactKinks kinks;                           ///< of the last step
+  double cell_offset = 0;                       ///< of the cell above, of one that repeats [m]
   double time = 0;                              ///< [s]
 };
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef softgrain_mpm_model_space_points_h
-#define softgrain_mpm_model_space_points_h
+#ifndef softgrain_mpm_body_remembered_points_h
+#define softgrain_mpm_body_remembered_points_h
 
 #include <softgrain/mpm/body/body.h>
+#include <softgrain/mpm/body/body_share.h>
 
 #include <vector>
+
+/// @file
+/// What points of bodies in space remember of what they went through.
 
 namespace softgrain::mpm
 {
@@ -16,6 +20,9 @@ std::vector<double> remembered_by_points(const std::vector<Body<3>> &bodies);
 
 /// Gives points what remembered_by_points() has told of them.
 void take_points(const std::vector<double> &remembered, std::vector<Body<3>> &bodies);
+
+/// Lets all ranks know what the points of owned bodies remember.
+void share_points(const BodyShare &share, std::vector<Body<3>> &bodies);
 } // namespace softgrain::mpm
 
 #endif
