@@ -297,7 +297,8 @@ void check_scene_in_space(const Scene<3> &scene, const ParameterSection &paramet
   ParameterCheck(parameters, mistakes).look_at(parameters);
   const bool all_enclose = check_bodies(scene, mistakes);
   check_walls_in_space(scene, parameters, mistakes);
-  if (std::any_of(scene.walls.begin(), scene.walls.end(), repeats<3>) && all_enclose)
+  const bool may_repeat = value_in(parameters, "", "Model") != "bpm";
+  if (may_repeat && all_enclose && std::any_of(scene.walls.begin(), scene.walls.end(), repeats<3>))
     mistakes.attempt([&]() { check_cell_in_space(scene); });
   check_obstacles(scene, mistakes);
   mistakes.end();
