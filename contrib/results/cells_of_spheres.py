@@ -22,7 +22,7 @@ def changes_of(number, seed, fraction, cells, way):
             "Walls/top/Tangential velocity": 0, "Contact/Friction": 0,
             "Mesh/Lower": ", ".join(["-7e-3"] * 3), "Mesh/Upper": ", ".join([f"{edge + 7e-3:.7g}"] * 3),
             "Mesh/Cell size": f"{0.5 * DIAMETER / cells:.6g}", "Time/Wall way": way, "Stop/End time": f"{0.5 * (edge - last) / 1e-3:.5g}",
-            "Output/Number of field outputs": 0, "Output/Snapshots every": 1e-9}
+            "Output/Number of field outputs": 0, "Output/Snapshots every": f"{way * 0.5 * DIAMETER / cells / 1e-3:.5g}"}
 
 
 def coordination_without_rattlers(state):
@@ -42,10 +42,10 @@ def coordination_without_rattlers(state):
 def states_of(folder):
     """(volume at rest over that of the cell, pressure over E, coordination, rattlers) of every state."""
     run = softgrain.open(folder)
-    rows = {row["step"]: row for row in rows_of(run)}
+    rows = {row["time_s"]: row for row in rows_of(run)}
     found, solid = [], None
     for state in run:
-        row = rows[state.step]
+        row = rows[min(rows, key=lambda time: abs(time - state.time))]
         edges = [row[f"{b}_position_m"] - row[f"{a}_position_m"] for a, b in (("left", "right"), ("front", "back"), ("bottom", "top"))]
         volume = np.prod(edges)
         solid = solid or row["packing_fraction"] * volume
@@ -57,9 +57,13 @@ def states_of(folder):
 def jammed(states):
     """Where the pressure begins, by a line through p^(2/3) of the light states, and the exponents of p and of Z - 6 over what is beyond."""
     light = states[(states[:, 1] > 2e-5) & (states[:, 1] < 3e-3)]
+    if len(light) < 2:
+        raise SystemExit("too few states under light pressure: take shorter steps (--way)")
     slope, start = np.polyfit(light[:, 0], light[:, 1] ** (2 / 3), 1)
     phi = -start / slope
     beyond = states[(states[:, 0] > phi + 0.005) & (states[:, 0] < phi + 0.12) & (states[:, 2] > 6)]
+    if len(beyond) < 3:
+        raise SystemExit("too few states beyond jamming: take shorter steps (--way)")
     of_p = np.polyfit(np.log(beyond[:, 0] - phi), np.log(beyond[:, 1]), 1)[0]
     of_z = np.polyfit(np.log(beyond[:, 0] - phi), np.log(beyond[:, 2] - 6), 1)
     return phi, of_p, of_z[0], np.exp(of_z[1])
