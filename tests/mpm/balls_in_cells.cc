@@ -9,8 +9,6 @@
 #include "moving_balls.h"
 #include "two_balls.h"
 
-#include <softgrain/base/exceptions.h>
-
 #include <array>
 #include <cmath>
 #include <utility>
@@ -262,20 +260,6 @@ void show_motion()
     const Moving closing = moving("0.13, 0.02, 3.4", "0.05, 0.12, 8.6", "set Velocity = 0.02", dt, 24.);
     std::cout << "in a cell that closes, steps of " << dt << ": energy off by " << below(0.02, closing.energy)
               << ", momentum by " << below(1e-11, closing.momentum) << '\n';
-  }
-}
-
-void refused(const std::string &text, const std::vector<std::string> &changes)
-{
-  try
-  {
-    std::ofstream("scene.prm") << text;
-    model_of("scene.prm", changes);
-    std::cout << "not refused\n";
-  }
-  catch (const InputError &error)
-  {
-    std::cout << error.what() << '\n';
   }
 }
 } // namespace

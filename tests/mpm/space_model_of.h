@@ -5,8 +5,11 @@
 
 #include "scene_of.h"
 
+#include <softgrain/base/exceptions.h>
 #include <softgrain/mpm/model/space_model.h>
 
+#include <fstream>
+#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +25,21 @@ inline std::unique_ptr<softgrain::Model<3>> model_of(const std::string &file,
 inline const softgrain::mpm::SpaceState &state_of(const softgrain::Model<3> &model)
 {
   return dynamic_cast<const softgrain::mpm::SpaceModel &>(model).space();
+}
+
+/// Prints why a scene is refused.
+inline void refused(const std::string &text, const std::vector<std::string> &changes)
+{
+  try
+  {
+    std::ofstream("scene.prm") << text;
+    model_of("scene.prm", changes);
+    std::cout << "not refused\n";
+  }
+  catch (const softgrain::InputError &error)
+  {
+    std::cout << error.what() << '\n';
+  }
 }
 
 #endif

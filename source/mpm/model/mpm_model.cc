@@ -4,6 +4,7 @@
 #include <softgrain/mpm/body/body_builder.h>
 #include <softgrain/mpm/body/point_store.h>
 #include <softgrain/mpm/model/mpm_model.h>
+#include <softgrain/mpm/model/rank_report.h>
 #include <softgrain/mpm/model/step_choice.h>
 #include <softgrain/mpm/stepping/quasi_static.h>
 #include <softgrain/mpm/stepping/safe_step.h>
@@ -129,7 +130,7 @@ StepReport MpmModel::try_steps(const double dt_limit)
   if (!settings.scheme.solves_equations() && steps % 20 == 0)
     check_energy();
   update_momentum_scale();
-  check_ranks_agree(report);
+  check_ranks_agree(work.share, state.bodies, report);
   return report;
 }
 

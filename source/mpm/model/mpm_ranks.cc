@@ -110,14 +110,4 @@ void MpmModel::add_ranks(SizeReport &report) const
                                               std::to_string(static_cast<std::size_t>(most_points)));
   report_idle_ranks(bodies, report);
 }
-
-void MpmModel::check_ranks_agree(const StepReport &report) const
-{
-  if (work.share.alone())
-    return;
-  double moved = 0.;
-  for (const Body<2> &body : state.bodies)
-    moved += body.displacement.squaredNorm();
-  work.share.exchange.check_alike({report.dt, report.newton_residual, report.contact_residual, moved});
-}
 } // namespace softgrain::mpm

@@ -8,6 +8,7 @@
 #include <softgrain/mpm/body/remembered_points.h>
 #include <softgrain/mpm/body/solid_builder.h>
 #include <softgrain/mpm/model/long_steps.h>
+#include <softgrain/mpm/model/rank_report.h>
 #include <softgrain/mpm/model/space_model.h>
 #include <softgrain/mpm/stepping/moving_step.h>
 #include <softgrain/mpm/stepping/safe_step.h>
@@ -288,18 +289,8 @@ StepReport SpaceModel::advance(const double dt_limit)
   report.n_contacts = state.contacts.size();
   state.time += taken.dt;
   ++steps;
-  check_ranks_agree(report);
+  check_ranks_agree(work.share, state.bodies, report);
   return report;
-}
-
-void SpaceModel::check_ranks_agree(const StepReport &report) const
-{
-  if (work.share.alone())
-    return;
-  double moved = 0.;
-  for (const Body<3> &body : state.bodies)
-    moved += body.displacement.squaredNorm();
-  work.share.exchange.check_alike({report.dt, report.newton_residual, report.contact_residual, moved});
 }
 
 void SpaceModel::settle(StepReport &report)

@@ -129,8 +129,6 @@ private:
   void add_contacts(Snapshot<2> &snapshot) const;
   /// What came of that.
   void add_ranks(SizeReport &report) const;
-  /// @throw ComputationError when not all have come to the same step
-  void check_ranks_agree(const StepReport &report) const;
   void check_energy() const;
   void update_momentum_scale();
   void refresh_forces(Body<2> &body);

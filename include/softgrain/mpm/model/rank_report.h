@@ -10,7 +10,7 @@
 #include <vector>
 
 /// @file
-/// What a report of sizes says of several ranks.
+/// What reports say of several ranks, and whether these agree.
 
 namespace softgrain::mpm
 {
@@ -34,6 +34,18 @@ inline void report_idle_ranks(const std::vector<unsigned int> &number, SizeRepor
   if (const auto idle = std::count(number.begin(), number.end(), 0u); idle > 0)
     report.emplace_back("warning", std::to_string(idle) + " of " + std::to_string(number.size()) +
                                        " ranks have no body and nothing to do");
+}
+
+/// Makes sure that all ranks have made the same step. @throw ComputationError for all when they have not
+template <int dim>
+void check_ranks_agree(const BodyShare &share, const std::vector<Body<dim>> &bodies, const StepReport &report)
+{
+  if (share.alone())
+    return;
+  double moved = 0.;
+  for (const Body<dim> &body : bodies)
+    moved += body.displacement.squaredNorm();
+  share.exchange.check_alike({report.dt, report.newton_residual, report.contact_residual, moved});
 }
 } // namespace softgrain::mpm
 

@@ -86,8 +86,6 @@ private:
                 double density);
   /// Gives bodies to ranks by where they are.
   void share_out_bodies();
-  /// @throw ComputationError when ranks have come to different states
-  void check_ranks_agree(const StepReport &report) const;
   /// Gives a body the velocity with which it begins.
   void start(const BodyDescription<3> &description, Body<3> &body) const;
   double cfl_step() const; ///< in which a wave goes through a cell [s]
