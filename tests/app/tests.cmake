@@ -85,7 +85,8 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
       ranks.SameBits.test_biaxial ranks.SameBits.test_periodic ranks.SameBits.test_thesis_method ranks.SameBits.test_rays
       ranks.SameBits.test_bonded ranks.SameBits.test_bonded_friction ranks.SameBits.test_bonded_pressed
       ranks.SameBits.test_bonded_grain ranks.SameBits.test_bonded_cell
-      ranks.SameBits.test_adhesion ranks.SameBits.test_bonded_adhesion)
+      ranks.SameBits.test_adhesion ranks.SameBits.test_bonded_adhesion ranks.SameBits.test_cell_of_balls
+      ranks.SameBits.test_moving_balls ranks.SameBits.test_plastic_balls)
     string(REGEX MATCH "^[a-z_]+" script ${name})
     string(REGEX REPLACE "^[a-z_]+\\." "" class ${name})
     add_test(NAME app/${name}
