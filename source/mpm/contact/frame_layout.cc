@@ -141,12 +141,14 @@ bool FrameLayout<dim>::meet_side(const FrameStretch<dim> &stretch,
   if (old != nullptr && meet_from(old->place[side], frame, side, ray, height))
     return true;
   const Across offset = frame.offset(ray.index);
-  Guesses by_distance = guesses;
-  std::stable_sort(by_distance.begin(), by_distance.end(),
-                   [&](const auto &x, const auto &y)
-                   { return (x.first - offset).norm() < (y.first - offset).norm(); });
-  for (unsigned int i = 0; i < std::min<std::size_t>(tries, by_distance.size()); ++i)
-    if (meet_from(by_distance[i].second, frame, side, ray, height) &&
+  std::vector<std::pair<double, unsigned int>> nearest; // distance and number of a guess
+  nearest.reserve(guesses.size());
+  for (unsigned int i = 0; i < guesses.size(); ++i)
+    nearest.emplace_back((guesses[i].first - offset).norm(), i);
+  const std::size_t n = std::min<std::size_t>(tries, nearest.size());
+  std::partial_sort(nearest.begin(), nearest.begin() + n, nearest.end());
+  for (unsigned int i = 0; i < n; ++i)
+    if (meet_from(guesses[nearest[i].second].second, frame, side, ray, height) &&
         (stretch.corner != ContactFrame<dim>::none || !near_corner(frame, side, ray.place[side])))
       return true;
   return false;

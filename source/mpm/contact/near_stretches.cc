@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace softgrain::mpm
 {
@@ -159,6 +160,35 @@ private:
   std::vector<unsigned int> parent;
 };
 
+/// For each sample of a surface the pairs that it belongs to, one after the other.
+class PairsOfSamples
+{
+public:
+  /// @param of the sample of a pair of @p facing
+  template <class SampleOf>
+  PairsOfSamples(const unsigned int n_samples, const Facing &facing, const SampleOf &of)
+      : first(n_samples + 1), pairs(facing.size())
+  {
+    for (const auto &pair : facing)
+      ++first[of(pair) + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<unsigned int> next(first.begin(), first.end() - 1);
+    for (unsigned int k = 0; k < facing.size(); ++k)
+      pairs[next[of(facing[k])]++] = k;
+  }
+
+  template <class Function>
+  void for_both(const unsigned int i, const unsigned int j, const Function &function) const
+  {
+    for (unsigned int k = first[i]; k < first[i + 1]; ++k)
+      for (unsigned int l = first[j]; l < first[j + 1]; ++l)
+        function(pairs[k], pairs[l]);
+  }
+
+private:
+  std::vector<unsigned int> first, pairs;
+};
+
 /// The pairs in connected parts: where samples of @p a are side by side and those that face them are near
 /// each other on @p b, or the other way round.
 template <int dim>
@@ -166,33 +196,24 @@ std::vector<Facing>
 connected(const SampledSurface<dim> &a, const SampledSurface<dim> &b, const Facing &facing)
 {
   Groups groups(facing.size());
-  std::vector<std::vector<unsigned int>> by_a(a.samples.size()), by_b(b.samples.size());
-  for (unsigned int k = 0; k < facing.size(); ++k)
-  {
-    by_a[facing[k].first].push_back(k);
-    by_b[facing[k].second].push_back(k);
-  }
   const double near = 2. * (a.spacing + b.spacing);
-  const auto join_all = [&](const std::vector<unsigned int> &some, const std::vector<unsigned int> &others)
+  const auto join = [&](const unsigned int k, const unsigned int l)
   {
-    for (const unsigned int k : some)
-      for (const unsigned int l : others)
-      {
-        const auto &[a_k, b_k] = facing[k];
-        const auto &[a_l, b_l] = facing[l];
-        if (a.samples[a_k].position.distance(a.samples[a_l].position) <= near &&
-            b.samples[b_k].position.distance(b.samples[b_l].position) <= near)
-          groups.join(k, l);
-      }
+    const auto &[a_k, b_k] = facing[k];
+    const auto &[a_l, b_l] = facing[l];
+    if (a.samples[a_k].position.distance(a.samples[a_l].position) <= near &&
+        b.samples[b_k].position.distance(b.samples[b_l].position) <= near)
+      groups.join(k, l);
   };
-  for (const std::vector<unsigned int> &pairs : by_a)
-    join_all(pairs, pairs);
-  for (const std::vector<unsigned int> &pairs : by_b)
-    join_all(pairs, pairs);
-  for (const auto &[i, j] : a.neighbours)
-    join_all(by_a[i], by_a[j]);
-  for (const auto &[i, j] : b.neighbours)
-    join_all(by_b[i], by_b[j]);
+  const auto join_all = [&](const SampledSurface<dim> &surface, const PairsOfSamples &pairs)
+  {
+    for (unsigned int i = 0; i < surface.samples.size(); ++i)
+      pairs.for_both(i, i, join);
+    for (const auto &[i, j] : surface.neighbours)
+      pairs.for_both(i, j, join);
+  };
+  join_all(a, PairsOfSamples(a.samples.size(), facing, [](const auto &pair) { return pair.first; }));
+  join_all(b, PairsOfSamples(b.samples.size(), facing, [](const auto &pair) { return pair.second; }));
   std::map<unsigned int, Facing> parts;
   for (unsigned int k = 0; k < facing.size(); ++k)
     parts[groups.of(k)].push_back(facing[k]);
