@@ -11,8 +11,7 @@ from running import RunFailed, parser_of, rows_of, run, softgrain
 SCENE = "gallery/thirty_grains_quasi_static_mpm.prm"
 HARD = {"Materials/Names": "gel, stone", "Materials/stone/Law": "neo_hookean", "Materials/stone/Density": 990,
         "Materials/stone/Neo-Hookean/Young's modulus": 10e8, "Materials/stone/Neo-Hookean/Poisson's ratio": 0.45,
-        "Packing/Classes": "0.5: 1.4e-3 to 2.4e-3, stone; 0.5: 1.4e-3 to 2.4e-3, gel",
-        "Packing/Smallest diameter": "", "Packing/Largest diameter": ""}
+        "Packing/Classes": "0.5: 1.4e-3 to 2.4e-3, stone; 0.5: 1.4e-3 to 2.4e-3, gel"}
 KINDS = {"disks": {}, "ellipses": {"Packing/Shapes": "ellipse", "Packing/Aspect ratio": "0.5, 0.9"},
          "polygons": {"Packing/Shapes": "polygon", "Packing/Corners": "5, 8"}, "hard and soft disks": HARD}
 

@@ -165,7 +165,7 @@ void Polygon2D::declare_parameters(dealii::ParameterHandler &prm) const
 
 void Polygon2D::parse_parameters(const dealii::ParameterHandler &prm, const Place &)
 {
-  for (const dealii::Tensor<1, 2> &vertex : list_of_pairs(prm.get("Vertices")))
+  for (const dealii::Tensor<1, 2> &vertex : list_of_vectors<2>(prm.get("Vertices")))
     vertices.emplace_back(vertex);
 }
 

@@ -3,10 +3,8 @@
 #include <softgrain/geometry/superellipsoid.h>
 #include <softgrain/parameters/parameter_values.h>
 
-#include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
-#include <deal.II/physics/transformations.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,17 +54,8 @@ Superellipsoid::Superellipsoid(const Place &center,
                                const Vector &semi_axes,
                                const std::array<double, 2> &exponents,
                                const Vector &rotation)
-    : center(center), semi_axes(semi_axes), exponents(exponents), rotation(rotation)
+    : ConvexSolid(center, rotation), semi_axes(semi_axes), exponents(exponents)
 {
-  find_turn();
-}
-
-void Superellipsoid::find_turn()
-{
-  const double angle = rotation.norm();
-  turn = dealii::unit_symmetric_tensor<3>();
-  if (angle > 0.)
-    turn = dealii::Physics::Transformations::Rotations::rotation_matrix_3d(Vector(rotation / angle), angle);
 }
 
 void Superellipsoid::declare_axes(dealii::ParameterHandler &prm) const
@@ -74,17 +63,13 @@ void Superellipsoid::declare_axes(dealii::ParameterHandler &prm) const
   using namespace dealii::Patterns;
   prm.declare_entry("Semi-axes", "0, 0, 0", List(Double(0), 3, 3, ","),
                     "Semi-axes of an ellipsoid or a superellipsoid, \"a, b, c\". Units: m.");
-  prm.declare_entry("Rotation", "0, 0, 0", List(Double(), 3, 3, ","),
-                    "Rotation of an ellipsoid or a superellipsoid, whose axes lie along x, y and z before: a "
-                    "vector along the axis of the rotation, as long as its angle. Units: degrees.");
+  declare_rotation(prm);
 }
 
 void Superellipsoid::parse_axes(const dealii::ParameterHandler &prm, const Place &body_center)
 {
-  center = body_center;
+  parse_place(prm, body_center);
   semi_axes = vector_of_numbers<3>(prm.get("Semi-axes"));
-  rotation = dealii::numbers::PI / 180. * vector_of_numbers<3>(prm.get("Rotation"));
-  find_turn();
 }
 
 void Superellipsoid::declare_parameters(dealii::ParameterHandler &prm) const
@@ -197,55 +182,9 @@ std::pair<double, double> Superellipsoid::distances_from_plane(const Place &poin
   return {middle - reach, middle + reach};
 }
 
-TriangulatedSurface Superellipsoid::surface(const double spacing) const
+double Superellipsoid::beyond_extents() const
 {
-  const double longest = std::max({semi_axes[0], semi_axes[1], semi_axes[2]}),
-               corner = std::sqrt(3.) * std::pow(3., -1. / std::max(exponents[0], exponents[1]));
-  TriangulatedSurface result = Sphere(Place(), 1.).surface(spacing / (corner * longest));
-  for (Place &x : result.vertices)
-  {
-    Vector stretched;
-    for (unsigned int d = 0; d < 3; ++d)
-      stretched[d] = semi_axes[d] * x[d];
-    x = place(center + turn * stretched).position;
-  }
-  return result;
-}
-
-/// A place between one of the box that lies inside and the corner that is farthest out. N is convex: it is
-/// greatest at a corner, and smallest where no coordinate alone makes it smaller.
-std::optional<Superellipsoid::Place> Superellipsoid::surface_in_box(const Place &lower,
-                                                                    const Place &upper) const
-{
-  Place near = center, far = lower;
-  for (unsigned int c = 0; c < 8; ++c)
-  {
-    const Place corner(c & 1 ? upper[0] : lower[0], c & 2 ? upper[1] : lower[1], c & 4 ? upper[2] : lower[2]);
-    if (depth(corner) < depth(far))
-      far = corner;
-  }
-  if (!(depth(far) < 0.))
-    return std::nullopt;
-  for (unsigned int d = 0; d < 3; ++d)
-    near[d] = std::clamp(center[d], lower[d], upper[d]);
-  for (unsigned int sweep = 0; sweep < 30 && !(depth(near) > 0.); ++sweep)
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      double low = lower[d], high = upper[d];
-      for (unsigned int halving = 0; halving < 30; ++halving)
-      {
-        near[d] = 0.5 * (low + high);
-        (level(near).gradient[d] > 0. ? high : low) = near[d];
-      }
-    }
-  if (!(depth(near) > 0.))
-    return std::nullopt;
-  for (unsigned int halving = 0; halving < 50; ++halving)
-  {
-    const Place middle = near + 0.5 * (far - near);
-    (depth(middle) > 0. ? near : far) = middle;
-  }
-  return near;
+  return std::sqrt(3.) * std::pow(3., -1. / std::max(exponents[0], exponents[1]));
 }
 
 SurfacePlace<3> Superellipsoid::place(const Place &x) const

@@ -21,14 +21,17 @@ dealii::Tensor<1, 2> pair_of_numbers(const std::string &text)
   return vector_of_numbers<2>(text);
 }
 
-std::vector<dealii::Tensor<1, 2>> list_of_pairs(const std::string &text)
+template <int dim>
+std::vector<dealii::Tensor<1, dim>> list_of_vectors(const std::string &text)
 {
-  std::vector<dealii::Tensor<1, 2>> pairs;
+  std::vector<dealii::Tensor<1, dim>> list;
   for (const std::string &part : dealii::Utilities::split_string_list(text, ";"))
-    pairs.push_back(pair_of_numbers(part));
-  return pairs;
+    list.push_back(vector_of_numbers<dim>(part));
+  return list;
 }
 
 template dealii::Tensor<1, 2> vector_of_numbers<2>(const std::string &);
 template dealii::Tensor<1, 3> vector_of_numbers<3>(const std::string &);
+template std::vector<dealii::Tensor<1, 2>> list_of_vectors<2>(const std::string &);
+template std::vector<dealii::Tensor<1, 3>> list_of_vectors<3>(const std::string &);
 } // namespace softgrain

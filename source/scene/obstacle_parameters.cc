@@ -61,7 +61,7 @@ void check_unused(const dealii::ParameterHandler &prm,
 std::vector<Curve> segments(const dealii::ParameterHandler &prm, const std::string &where)
 {
   check_unused(prm, where, of_arc);
-  const std::vector<dealii::Tensor<1, 2>> corners = list_of_pairs(prm.get("Points"));
+  const std::vector<dealii::Tensor<1, 2>> corners = list_of_vectors<2>(prm.get("Points"));
   if (corners.size() < 2)
     throw InputError("'" + where + "/Points' has " + std::to_string(corners.size()) +
                      " points: a line needs at least 2");

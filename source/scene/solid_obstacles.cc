@@ -42,7 +42,7 @@ revolved(const dealii::ParameterHandler &prm, const std::string &where, const do
 {
   check_unused(prm, where, of_stl);
   std::vector<RevolvedSurface::Point2> line;
-  for (const dealii::Tensor<1, 2> &point : list_of_pairs(prm.get("Points")))
+  for (const dealii::Tensor<1, 2> &point : list_of_vectors<2>(prm.get("Points")))
   {
     if (point[0] < 0.)
       throw InputError("'" + where + "/Points': point " + std::to_string(line.size() + 1) +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Shapes in space: places lie on the surface, normals and bends are those of differences, supports and
 // volumes those of fine triangles, depths below distances, and what touches does not overlap.
+#include <softgrain/geometry/polyhedron.h>
 #include <softgrain/geometry/superellipsoid.h>
 
 #include <algorithm>
@@ -109,6 +110,17 @@ void look_at(const std::string &name, const Shape<3> &shape)
   missed += shape.surface_in_box(upper + Vector({1., 1., 1.}), upper + Vector({2., 2., 2.})).has_value();
   std::cout << "  boxes of the surface that are missed: " << missed << '\n';
 }
+
+void check_hull(const std::string &name, const std::vector<Vector> &points)
+{
+  std::vector<Point> places;
+  for (const Vector &x : points)
+    places.emplace_back(x);
+  const ConvexHull hull(places);
+  std::cout << name << " has " << hull.corners.size() << " corners, " << hull.edges.size() << " edges and "
+            << hull.faces.size() << " faces, volume " << std::setprecision(3) << hull.volume() << ", area "
+            << hull.area() << '\n';
+}
 } // namespace
 
 int main()
@@ -119,17 +131,33 @@ int main()
   look_at("ellipsoid", Superellipsoid(center, Vector({1.5, 1.1, 0.8}), {{2., 2.}}, turn));
   look_at("superellipsoid", Superellipsoid(center, Vector({1.2, 1.1, 0.9}), {{4., 3.}}, turn));
   look_at("cylinder", Superellipsoid(center, Vector({1., 1., 1.2}), {{6., 2.}}, turn));
+  const std::vector<Vector> cube = {Vector({1., 1., 1.}),   Vector({-1., 1., 1.}),   Vector({1., -1., 1.}),
+                                    Vector({1., 1., -1.}),  Vector({-1., -1., 1.}),  Vector({-1., 1., -1.}),
+                                    Vector({1., -1., -1.}), Vector({-1., -1., -1.}), Vector({0., 0.2, 1.}),
+                                    Vector({0.1, 0.3, 0.})};
+  look_at("cube", Polyhedron(center, cube, 0.4, turn));
+  look_at("tetrahedron", Polyhedron(center, {cube[0], cube[4], cube[5], cube[6]}, 0.3, turn));
+  look_at("plate", Polyhedron(center, {cube[0], cube[1], cube[2], cube[4]}, 0.4, turn));
+  look_at("rod", Polyhedron(center, {cube[0], cube[7], Vector()}, 0.6, turn));
+  check_hull("cube", cube);
+  check_hull("plate", {cube[0], cube[1], cube[2], cube[4], Vector({1., 0., 1.})});
+  check_hull("rod", {cube[0], Vector(), cube[7]});
 
   const Sphere ball(center, 1.3);
   const Superellipsoid round(center, Vector({1.3, 1.3, 1.3}), {{2., 2.}}, turn);
-  double off = 0.;
-  for (const Point &x : ball.surface(0.3).vertices)
+  const Polyhedron point(center, {Vector()}, 1.3, turn);
+  for (const auto &[name, other] : {std::pair<std::string, const Shape<3> *>("an ellipsoid", &round),
+                                    std::pair<std::string, const Shape<3> *>("a polyhedron", &point)})
   {
-    const SurfacePlace<3> a = ball.place(x), b = round.place(x);
-    off = std::max({off, a.position.distance(b.position), (a.normal - b.normal).norm(),
-                    (a.bend - b.bend).norm(), std::abs(a.bend[0][0] - 1. / 1.3)});
+    double off = std::abs(ball.volume() - other->volume());
+    for (const Point &x : ball.surface(0.3).vertices)
+    {
+      const SurfacePlace<3> a = ball.place(x), b = other->place(x);
+      off = std::max({off, a.position.distance(b.position), (a.normal - b.normal).norm(),
+                      (a.bend - b.bend).norm(), std::abs(a.bend[0][0] - 1. / 1.3)});
+    }
+    std::cout << "a ball as " << name << " is another one by " << below(1e-12, off) << '\n';
   }
-  std::cout << "a ball as an ellipsoid is another one by " << below(1e-12, off) << '\n';
 
   // Both touch along x, where the second is turned about it.
   const Superellipsoid one(Point(0., 0., 0.), Vector({1.5, 1.1, 0.8}), {{2., 2.}}, Vector());

@@ -2,7 +2,7 @@
 #ifndef softgrain_geometry_superellipsoid_h
 #define softgrain_geometry_superellipsoid_h
 
-#include <softgrain/geometry/solid.h>
+#include <softgrain/geometry/convex_solid.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -21,7 +21,7 @@ namespace softgrain
  * and m large it is a box, with n large and m = 2 a cylinder. N is a norm, so that surface, normal, curvature
  * and support follow in closed form.
  */
-class Superellipsoid : public Shape<3>
+class Superellipsoid : public ConvexSolid
 {
 public:
   Superellipsoid() = default;
@@ -39,19 +39,17 @@ public:
   double volume() const override;
   std::pair<double, double> distances_from_plane(const Place &point,
                                                  const dealii::Tensor<1, 3> &normal) const override;
-  /// A geodesic sphere, stretched along the axes and brought to the surface.
-  TriangulatedSurface surface(double spacing) const override;
-  std::optional<Place> surface_in_box(const Place &lower, const Place &upper) const override;
   SurfacePlace<3> place(const Place &x) const override;
   std::vector<double> numbers() const override;
 
 protected:
   void declare_axes(dealii::ParameterHandler &prm) const;
   void parse_axes(const dealii::ParameterHandler &prm, const Place &center);
+  Vector outward(const Place &p) const override { return level(p).gradient; }
+  Vector extents() const override { return semi_axes; }
+  double beyond_extents() const override;
 
 private:
-  using Vector = dealii::Tensor<1, 3>;
-
   /// N with its first and second derivatives, at a place that is not the centre [1, 1/m, 1/m^2].
   struct Level
   {
@@ -62,14 +60,9 @@ private:
   Level level(const Place &p) const;
   /// Coordinates of @p p along the axes, over the semi-axes.
   Vector over_axes(const Place &p) const;
-  void find_turn();
 
-  Place center;
   Vector semi_axes;                             ///< [m]
   std::array<double, 2> exponents = {{2., 2.}}; ///< n and m
-  Vector rotation;                              ///< axis times angle [rad]
-  /// The axes are its columns.
-  dealii::Tensor<2, 3> turn = dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>());
 };
 
 /// An ellipsoid: n = m = 2.

@@ -16,8 +16,9 @@ dealii::Tensor<1, dim> vector_of_numbers(const std::string &text);
 /// "a, b" as numbers; the pattern of the parameter has checked the form.
 dealii::Tensor<1, 2> pair_of_numbers(const std::string &text);
 
-/// "a, b; c, d; …" as numbers; the pattern of the parameter has checked the form.
-std::vector<dealii::Tensor<1, 2>> list_of_pairs(const std::string &text);
+/// "a, b; c, d; …" or "a, b, c; d, e, f; …" as numbers; the pattern of the parameter has checked the form.
+template <int dim>
+std::vector<dealii::Tensor<1, dim>> list_of_vectors(const std::string &text);
 } // namespace softgrain
 
 #endif
