@@ -37,16 +37,7 @@ const std::vector<std::string> known = {"Dimension",
                                         "Output/Checkpoint every",
                                         "Output/Checkpoints kept",
                                         "Materials/",
-                                        "Bodies/Names",
-                                        "Bodies/*/Material",
-                                        "Bodies/*/Shape",
-                                        "Bodies/*/Center",
-                                        "Bodies/*/Radius",
-                                        "Bodies/*/Semi-axes",
-                                        "Bodies/*/Exponents",
-                                        "Bodies/*/Rotation",
-                                        "Bodies/*/Velocity",
-                                        "Bodies/*/Angular velocity",
+                                        "Bodies/",
                                         "Packing/",
                                         "Loads/",
                                         "Walls/Names",
@@ -92,6 +83,9 @@ const std::vector<std::string> known = {"Dimension",
                                         "Stages/*/*/Position",
                                         "Stages/*/*/Pressure",
                                         "Stages/*/Stop/"};
+
+/// Of these what is the plane's alone: shapes have any parameters.
+const std::vector<std::string> unknown = {"Bodies/*/Body force", "Bodies/*/Driven"};
 
 /// What bonded particles know in space beside these.
 const std::vector<std::string> known_to_bonded_particles = {"Output/Inner forces",
@@ -160,9 +154,10 @@ public:
       if (entry.value != entry.default_value)
       {
         path.push_back(entry.name);
-        if (bonded ? !is_in(known_to_bonded_particles, path) &&
-                         (!is_in(known, path) || is_in(unknown_to_bonded_particles, path))
-                   : !is_in(known, path))
+        if (is_in(unknown, path) ||
+            (bonded ? !is_in(known_to_bonded_particles, path) &&
+                          (!is_in(known, path) || is_in(unknown_to_bonded_particles, path))
+                    : !is_in(known, path)))
           refuse(entry, "");
         else if (!bonded && is_in(scheme == "quasi_static" ? unknown_at_rest : unknown_to_inertia, path))
           refuse(entry, " and 'Time/Scheme' = '" + scheme + "'");
