@@ -313,10 +313,12 @@ void SpaceModel::settle(StepReport &report)
     go_back();
     throw;
   }
-  note(outcome, report);
   follow_step();
   if (outcome.held_steps > 0)
+  {
+    note(outcome, report);
     state.losses.released += before - not_booked();
+  }
   for (std::size_t w = 0; w < driven.size(); ++w)
     driven[w].book.force = dealii::Tensor<1, 3>() - state.wall_force[w];
   report.n_contacts = state.contacts.size();
