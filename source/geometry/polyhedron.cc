@@ -33,14 +33,15 @@ Polyhedron::Polyhedron(const Place &center,
   find_hull();
 }
 
-/// Its inner centre is the mean of the corners, wherever they are told from.
+/// Its inner centre is the mean of the corners, wherever they are told from. What check() will refuse is a
+/// ball until then.
 void Polyhedron::find_hull()
 {
-  if (vertices.empty() || vertices.size() > most_vertices)
-    return;
   std::vector<Place> placed;
   for (const Vector &vertex : vertices)
     placed.push_back(center + turn * vertex);
+  if (placed.empty() || placed.size() > most_vertices)
+    placed = {center};
   hull = ConvexHull(placed);
   Vector sum;
   for (const Place &corner : hull.corners)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A tetrahedron with round edges obliquely on a block in a box that becomes lower. Every state is in balance,
-// and what walls do is stored. The mirror image, the same with the names exchanged, with corners in another
-// order and with two threads, is the same. A rod that lies on a plate takes the force of one whose corners
-// are told with the middle, and a ball told by one corner the force of a ball.
+// A tetrahedron with round edges obliquely on a block in a box that becomes lower. Without friction it turns
+// until walls hold it, which takes a tenth of their work; every state is in balance. The mirror image, the
+// same with the names exchanged, with corners in another order and with two threads, is the same. A rod that
+// lies on a plate takes the force of one whose corners are told with the middle, and a ball told by one
+// corner the force of a ball.
 #include "two_balls.h"
 
 #include <softgrain/base/exceptions.h>
@@ -44,17 +45,18 @@ const std::string block = "1.2, 1, .8; -1.2, 1, .8; 1.2, -1, .8; -1.2, -1, .8; "
 Outcome pressed(const Changes &solids, const Changes &more = {})
 {
   std::ofstream("scene.prm") << two;
-  const Changes wide = {"Walls/left/Point=-3.6, 0, 0",  "Walls/right/Point=3.6, 0, 0",
-                        "Walls/front/Point=0, -3.6, 0", "Walls/back/Point=0, 3.6, 0",
-                        "Walls/top/Point=0, 0, 8.2",    "Stop/End time=1.5"};
+  const Changes wide = {
+      "Walls/left/Point=-3.1, 0, 0", "Walls/right/Point=3.1, 0, 0", "Walls/front/Point=0, -3.1, 0",
+      "Walls/back/Point=0, 3.1, 0",  "Walls/top/Point=0, 0, 9.5",   "Stop/End time=2.7",
+      "Mesh/Cell size=1.2"};
   const auto model = model_of("scene.prm", both(both(wide, solids), more));
-  return run(*model, 1.5, 0.01);
+  return run(*model, 2.7, 0.012);
 }
 
 Changes pair(const std::string &low, const std::string &high, const std::string &corners)
 {
   return both(polyhedron(low, "-0.3, 0.2, 2.1", block, "1", "6, 9, 40"),
-              polyhedron(high, "0.4, -0.1, 6", corners, "1.1", "-15, 8, 30"));
+              polyhedron(high, "0.4, -0.1, 6.6", corners, "1.1", "-15, 8, 30"));
 }
 
 void compare(const std::string &what, const double limit, const Outcome &a, const Outcome &b)
@@ -67,11 +69,11 @@ int main()
 {
   const Outcome found = pressed(pair("a", "b", tetrahedron));
   std::cout << "balance within 1e-3 " << (found.left_over < 1e-3) << ", less than 25 iterations a step "
-            << (found.iterations < 25 * found.steps) << ", energy off by " << below(0.06, found.energy)
+            << (found.iterations < 25 * found.steps) << ", energy off by " << below(0.15, found.energy)
             << '\n';
   const Outcome image =
       pressed(both(polyhedron("a", "0.3, 0.2, 2.1", block_image, "1", "6, -9, -40"),
-                   polyhedron("b", "-0.4, -0.1, 6", tetrahedron_image, "1.1", "-15, -8, -30")));
+                   polyhedron("b", "-0.4, -0.1, 6.6", tetrahedron_image, "1.1", "-15, -8, -30")));
   std::cout << "  mirror image off by " << below(1e-6, off(found, image, {0, 1, 3, 2, 4, 5})) << '\n';
   compare("exchanged", 1e-6, found, pressed(pair("b", "a", tetrahedron)));
   compare("corners in another order", 1e-6, found, pressed(pair("a", "b", other_order)));
@@ -80,18 +82,18 @@ int main()
   set_n_threads(1);
 
   const Changes plate =
-      polyhedron("a", "0, 0, 2", "1.5, 1.5, 0; -1.5, 1.5, 0; -1.5, -1.5, 0; 1.5, -1.5, 0", "1.5", "0, 0, 10");
+      polyhedron("a", "0, 0, 2", "1.2, 1.2, 0; -1.2, 1.2, 0; -1.2, -1.2, 0; 1.2, -1.2, 0", "1.5", "0, 0, 10");
   const auto with_rod = [&](const std::string &vertices)
-  { return pressed(both(plate, polyhedron("b", "0.1, 0.2, 5.9", vertices, "1.8", "5, 3, 25"))); };
-  const Outcome rod = with_rod("-1.4, 0, 0; 1.4, 0, 0");
+  { return pressed(both(plate, polyhedron("b", "0.1, 0.2, 6.2", vertices, "1.8", "5, 3, 25"))); };
+  const Outcome rod = with_rod("-1.2, 0, 0; 1.2, 0, 0");
   std::cout << "rod on plate: balance within 1e-3 " << (rod.left_over < 1e-3) << ", energy off by "
             << below(0.06, rod.energy) << '\n';
-  compare("told with its middle", 1e-6, rod, with_rod("0, 0, 0; 1.4, 0, 0; -1.4, 0, 0"));
+  compare("told with its middle", 1e-6, rod, with_rod("0, 0, 0; 1.2, 0, 0; -1.2, 0, 0"));
 
   const Changes rough = {"Contact/Friction=0.4"};
-  const Outcome ball = pressed(both(plate, {"Bodies/b/Center=0.1, 0.2, 5.9", "Bodies/b/Radius=2.2"}), rough);
+  const Outcome ball = pressed(both(plate, {"Bodies/b/Center=0.1, 0.2, 6.2", "Bodies/b/Radius=2.2"}), rough);
   compare("a ball as one corner", 1e-7, ball,
-          pressed(both(plate, polyhedron("b", "0.1, 0.2, 5.9", "0, 0, 0", "2.2", "0, 0, 0")), rough));
+          pressed(both(plate, polyhedron("b", "0.1, 0.2, 6.2", "0, 0, 0", "2.2", "0, 0, 0")), rough));
   for (const Changes &wrong : {Changes{"Bodies/a/Shape=polyhedron"},
                                Changes{"Bodies/a/Shape=polyhedron", "Bodies/a/Vertices=0, 0, 0"},
                                polyhedron("a", "0, 0, 3", "-2.5, 0, 0; 2.5, 0, 0", "0.2", "0, 0, 0")})
