@@ -1,42 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/geometry/convex_solid.h>
-#include <softgrain/parameters/parameter_values.h>
-
-#include <deal.II/base/numbers.h>
-#include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/patterns.h>
-#include <deal.II/physics/transformations.h>
+#include <softgrain/geometry/turned_axes.h>
 
 #include <algorithm>
 
 namespace softgrain
 {
-ConvexSolid::ConvexSolid(const Place &center, const Vector &rotation) : center(center), rotation(rotation)
+ConvexSolid::ConvexSolid(const Place &center, const Vector &rotation)
+    : center(center), rotation(rotation), turn(turned_axes(rotation))
 {
-  find_turn();
-}
-
-void ConvexSolid::find_turn()
-{
-  const double angle = rotation.norm();
-  turn = dealii::unit_symmetric_tensor<3>();
-  if (angle > 0.)
-    turn = dealii::Physics::Transformations::Rotations::rotation_matrix_3d(Vector(rotation / angle), angle);
-}
-
-void ConvexSolid::declare_rotation(dealii::ParameterHandler &prm)
-{
-  using namespace dealii::Patterns;
-  prm.declare_entry("Rotation", "0, 0, 0", List(Double(), 3, 3, ","),
-                    "Rotation of a body that is no sphere, whose axes lie along x, y and z before: a "
-                    "vector along the axis of the rotation, as long as its angle. Units: degrees.");
 }
 
 void ConvexSolid::parse_place(const dealii::ParameterHandler &prm, const Place &body_center)
 {
   center = body_center;
-  rotation = dealii::numbers::PI / 180. * vector_of_numbers<3>(prm.get("Rotation"));
-  find_turn();
+  rotation = rotation_of(prm);
+  turn = turned_axes(rotation);
 }
 
 TriangulatedSurface ConvexSolid::surface(const double spacing) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/geometry/polyhedron.h>
+#include <softgrain/geometry/turned_axes.h>
 #include <softgrain/parameters/parameter_values.h>
 
 #include <deal.II/base/numbers.h>
@@ -19,7 +20,6 @@ namespace
 {
 constexpr unsigned int most_vertices = 100; ///< the search for faces looks at all triples of them
 constexpr double most_slender = 10.;
-constexpr double hardly_farther = 1.25;
 constexpr unsigned int most_iterations = 60;
 constexpr double rounding = 1e-15; ///< of a place on a ray, over its distance
 } // namespace
@@ -150,18 +150,7 @@ std::pair<double, double> Polyhedron::distances_from_plane(const Place &point, c
 /// Rays from the centre meet slanted faces at places that are farther apart.
 TriangulatedSurface Polyhedron::surface(const double spacing) const
 {
-  for (double finer = spacing;;)
-  {
-    TriangulatedSurface result = ConvexSolid::surface(finer);
-    double longest = 0.;
-    for (const auto &triangle : result.triangles)
-      for (unsigned int k = 0; k < 3; ++k)
-        longest =
-            std::max(longest, result.vertices[triangle[k]].distance(result.vertices[triangle[(k + 1) % 3]]));
-    if (longest <= hardly_farther * spacing)
-      return result;
-    finer *= std::min(0.9, hardly_farther * spacing / longest);
-  }
+  return finely(spacing, [this](const double finer) { return ConvexSolid::surface(finer); });
 }
 
 std::vector<double> Polyhedron::numbers() const

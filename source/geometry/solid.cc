@@ -21,6 +21,8 @@ using dealii::numbers::PI;
 /// Edge of an icosahedron over the radius of the sphere through its corners.
 constexpr double edge_of_icosahedron = 1.0514622242382672;
 
+constexpr double hardly_farther = 1.25; ///< than the spacing of a surface
+
 /// An icosahedron whose corners have the coordinates 0, 1 and the golden ratio with either sign.
 TriangulatedSurface icosahedron()
 {
@@ -127,6 +129,21 @@ SurfacePlace<3> place_of(const dealii::Point<3> &position, const dealii::Tensor<
   place.tangent[0] /= place.tangent[0].norm();
   place.tangent[1] = dealii::cross_product_3d(normal, place.tangent[0]);
   return place;
+}
+
+TriangulatedSurface finely(const double spacing, const std::function<TriangulatedSurface(double)> &make)
+{
+  for (double finer = spacing;;)
+  {
+    TriangulatedSurface result = make(finer);
+    double longest = 0.;
+    for (const auto &t : result.triangles)
+      for (unsigned int k = 0; k < 3; ++k)
+        longest = std::max(longest, result.vertices[t[k]].distance(result.vertices[t[(k + 1) % 3]]));
+    if (longest <= hardly_farther * spacing)
+      return result;
+    finer *= std::min(0.9, hardly_farther * spacing / longest);
+  }
 }
 
 void Sphere::declare_parameters(dealii::ParameterHandler &prm) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/base/exceptions.h>
 #include <softgrain/geometry/superellipsoid.h>
+#include <softgrain/geometry/turned_axes.h>
 #include <softgrain/parameters/parameter_values.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -116,7 +117,7 @@ Superellipsoid::Vector Superellipsoid::over_axes(const Place &p) const
   return x;
 }
 
-Superellipsoid::Level Superellipsoid::level(const Place &p) const
+Gauge Superellipsoid::gauge(const Place &p) const
 {
   Vector x = over_axes(p), sign;
   for (unsigned int d = 0; d < 3; ++d)
@@ -144,7 +145,7 @@ Superellipsoid::Level Superellipsoid::level(const Place &p) const
     hessian[i][2] = outer.u_v * along[i];
   }
   hessian[2][2] = outer.v_v;
-  Level result;
+  Gauge result;
   result.value = outer.value;
   for (unsigned int d = 0; d < 3; ++d)
     gradient[d] *= sign[d] / semi_axes[d];
@@ -189,15 +190,7 @@ double Superellipsoid::beyond_extents() const
 
 SurfacePlace<3> Superellipsoid::place(const Place &x) const
 {
-  Level here = level(x);
-  // N is homogeneous: its slope is the same on the whole ray, and its second derivative falls with 1/N.
-  here.hessian *= here.value;
-  const double steep = here.gradient.norm();
-  SurfacePlace<3> result = place_of(center + (x - center) / here.value, here.gradient / steep);
-  for (unsigned int i = 0; i < 2; ++i)
-    for (unsigned int j = 0; j < 2; ++j)
-      result.bend[i][j] = result.tangent[i] * (here.hessian * result.tangent[j]) / steep;
-  return result;
+  return place_on_ray(center, x, gauge(x));
 }
 
 std::vector<double> Superellipsoid::numbers() const

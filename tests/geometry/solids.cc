@@ -2,6 +2,7 @@
 // Shapes in space: places lie on the surface, normals and bends are those of differences, supports and
 // volumes those of fine triangles, depths below distances, and what touches does not overlap.
 #include <softgrain/geometry/polyhedron.h>
+#include <softgrain/geometry/star_solid.h>
 #include <softgrain/geometry/superellipsoid.h>
 
 #include <algorithm>
@@ -111,6 +112,14 @@ void look_at(const std::string &name, const Shape<3> &shape)
   std::cout << "  boxes of the surface that are missed: " << missed << '\n';
 }
 
+/// With a dent in one side.
+TriangulatedSurface bent(TriangulatedSurface surface)
+{
+  for (Point &x : surface.vertices)
+    x[2] += 0.25 * x[0] * x[0];
+  return surface;
+}
+
 void check_hull(const std::string &name, const std::vector<Vector> &points)
 {
   std::vector<Point> places;
@@ -139,6 +148,8 @@ int main()
   look_at("tetrahedron", Polyhedron(center, {cube[0], cube[4], cube[5], cube[6]}, 0.3, turn));
   look_at("plate", Polyhedron(center, {cube[0], cube[1], cube[2], cube[4]}, 0.4, turn));
   look_at("rod", Polyhedron(center, {cube[0], cube[7], Vector()}, 0.6, turn));
+  const Superellipsoid bean(Point(), Vector({1.5, 1.1, 0.8}), {{4., 3.}}, turn);
+  look_at("a surface of triangles", StarSolid(center, bent(bean.surface(0.2)), 12, turn));
   check_hull("cube", cube);
   check_hull("plate", {cube[0], cube[1], cube[2], cube[4], Vector({1., 0., 1.})});
   check_hull("rod", {cube[0], Vector(), cube[7]});

@@ -25,7 +25,6 @@ protected:
   /// @param rotation axis times angle [rad]
   ConvexSolid(const Place &center, const Vector &rotation);
 
-  static void declare_rotation(dealii::ParameterHandler &prm);
   void parse_place(const dealii::ParameterHandler &prm, const Place &center);
 
   /// Along the derivative of -depth() at a place that is not the centre, of any length.
@@ -36,8 +35,6 @@ protected:
 
   /// How much farther than that ellipsoid the body reaches in any direction, at most.
   virtual double beyond_extents() const = 0;
-
-  void find_turn();
 
   Place center;    ///< a place inside, from which every ray meets the surface once [m]
   Vector rotation; ///< axis times angle [rad]

@@ -6,6 +6,7 @@
 #include <softgrain/geometry/shape.h>
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -76,6 +77,10 @@ Registry<Shape<3>> &Registry<Shape<3>>::instance();
 
 /// A place of a surface with its unit normal and with some tangents, without bends.
 SurfacePlace<3> place_of(const dealii::Point<3> &position, const dealii::Tensor<1, 3> &normal);
+
+/// What @p make makes of a spacing so fine that vertices of a triangle are hardly farther apart than @p
+/// spacing [m].
+TriangulatedSurface finely(double spacing, const std::function<TriangulatedSurface(double)> &make);
 
 /// How far two bodies lie in each other, the second moved by @p shift [m]; 0 or less: they do not.
 double

@@ -3,8 +3,7 @@
 #define softgrain_geometry_superellipsoid_h
 
 #include <softgrain/geometry/convex_solid.h>
-
-#include <deal.II/base/symmetric_tensor.h>
+#include <softgrain/geometry/gauge.h>
 
 #include <vector>
 
@@ -45,19 +44,13 @@ public:
 protected:
   void declare_axes(dealii::ParameterHandler &prm) const;
   void parse_axes(const dealii::ParameterHandler &prm, const Place &center);
-  Vector outward(const Place &p) const override { return level(p).gradient; }
+  Vector outward(const Place &p) const override { return gauge(p).gradient; }
   Vector extents() const override { return semi_axes; }
   double beyond_extents() const override;
 
 private:
-  /// N with its first and second derivatives, at a place that is not the centre [1, 1/m, 1/m^2].
-  struct Level
-  {
-    double value = 0.;
-    Vector gradient;
-    dealii::SymmetricTensor<2, 3> hessian;
-  };
-  Level level(const Place &p) const;
+  /// N with its derivatives.
+  Gauge gauge(const Place &p) const;
   /// Coordinates of @p p along the axes, over the semi-axes.
   Vector over_axes(const Place &p) const;
 
