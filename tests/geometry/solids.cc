@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Shapes in space: places lie on the surface, normals and bends are those of differences, supports and
 // volumes those of fine triangles, depths below distances, and what touches does not overlap.
+#include <softgrain/base/exceptions.h>
 #include <softgrain/geometry/polyhedron.h>
 #include <softgrain/geometry/star_solid.h>
 #include <softgrain/geometry/superellipsoid.h>
@@ -169,6 +170,35 @@ int main()
     }
     std::cout << "a ball as " << name << " is another one by " << below(1e-12, off) << '\n';
   }
+
+  // A ball of triangles is nearly one, also where their corners run the other way.
+  TriangulatedSurface triangles = ball.surface(0.1);
+  const StarSolid told(center, triangles, 8, turn);
+  for (auto &t : triangles.triangles)
+    std::swap(t[0], t[1]);
+  const StarSolid inverted(center, triangles, 8, turn);
+  double uneven = 0., other_way = 0.;
+  for (const Point &x : ball.surface(0.4).vertices)
+  {
+    uneven = std::max(uneven, std::abs(told.place(x).position.distance(center) - 1.3));
+    other_way = std::max(other_way, told.place(x).position.distance(inverted.place(x).position));
+  }
+  std::cout << "a ball of triangles is off by " << below(2e-3, uneven)
+            << ", with its triangles turned over by " << below(1e-12, other_way) << '\n';
+  TriangulatedSurface folded =
+      Polyhedron(Point(), {Vector({-3., 0., 0.}), Vector({3., 0., 0.})}, 1., Vector()).surface(0.5);
+  for (Point &x : folded.vertices)
+    x[2] += 0.4 * x[0] * x[0];
+  triangles.triangles.pop_back();
+  for (const TriangulatedSurface &wrong : {folded, triangles})
+    try
+    {
+      StarSolid(center, wrong, 8, turn);
+    }
+    catch (const InputError &error)
+    {
+      std::cout << std::string(error.what()).substr(0, 57) << "...\n";
+    }
 
   // Both touch along x, where the second is turned about it.
   const Superellipsoid one(Point(0., 0., 0.), Vector({1.5, 1.1, 0.8}), {{2., 2.}}, Vector());
