@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/stepping/body_resistance.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace softgrain::mpm
 {
 namespace
@@ -10,6 +13,19 @@ namespace
 /// another.
 constexpr double locked = 1e4;
 } // namespace
+
+template <int dim>
+double softest_of(const std::vector<Body<dim>> &bodies)
+{
+  double softest = std::numeric_limits<double>::max();
+  for (const Body<dim> &body : bodies)
+    if (!body.driven)
+      softest = std::min(softest, body.law->young_modulus());
+  return softest;
+}
+
+template double softest_of(const std::vector<Body<2>> &);
+template double softest_of(const std::vector<Body<3>> &);
 
 template <int dim>
 void subtract_drag(const Body<dim> &body,
@@ -40,16 +56,13 @@ resist_more(const Body<2> &, double, const Eigen::VectorXd &, Eigen::VectorXd &,
 template void
 resist_more(const Body<3> &, double, const Eigen::VectorXd &, Eigen::VectorXd &, SystemMatrix *);
 
-BodyResistance::BodyResistance(const Body<2> &body,
-                               const StepPlan &plan,
-                               const bool holds_turn,
-                               const dealii::Tensor<1, 2> &before)
-    : dt(plan.dt)
-    , shift(plan.regularisation * dt * dt * body.law->young_modulus() / body.mass.sum())
-    , weight(30. * (holds_turn ? locked : plan.regularisation) * dt * dt * body.law->young_modulus() *
-             body.rest_area)
-    , rotation(whole_rotation(body))
-    , before(before)
+BodyResistance::BodyResistance(const BodyStart &start)
+    : dt(start.plan.dt)
+    , shift(start.plan.regularisation * dt * dt * start.softest / start.body.mass.sum())
+    , weight(30. * (start.nothing_turns_it ? locked : start.plan.regularisation) * dt * dt * start.softest *
+             start.body.rest_area)
+    , rotation(whole_rotation(start.body))
+    , before(start.resistance)
 {
 }
 

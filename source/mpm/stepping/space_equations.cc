@@ -58,13 +58,14 @@ SpaceEquations::SpaceEquations(const std::vector<Body<3>> &bodies,
   increment.resize(bodies.size());
   internal.resize(bodies.size());
   external.resize(bodies.size());
+  const double young = softest_of(bodies);
   work.share.for_mine(bodies,
                       [&](const Body<3> &body)
                       {
                         const unsigned int b = body.index;
                         if (!external_force(body, loads, external[b]))
                           external[b].resize(0);
-                        const double young = body.law->young_modulus(), dt_2 = plan.dt * plan.dt;
+                        const double dt_2 = plan.dt * plan.dt;
                         shift[b] =
                             plan.regularisation * dt_2 * young * std::cbrt(body.rest_area) / body.mass.sum();
                         rotations[b] = frictionless ? Eigen::MatrixXd(whole_rotation(body))

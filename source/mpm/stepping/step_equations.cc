@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/mpm/stepping/body_resistance.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/step_equations.h>
 #include <softgrain/mpm/stepping/stress.h>
@@ -40,6 +41,7 @@ StepEquations::StepEquations(const Problem &problem,
   for (const Body<2> &body : state.bodies)
     if (body.driven)
       increment[body.index] = Eigen::VectorXd::Zero(body.field.n_dofs());
+  const double softest = softest_of(state.bodies);
   for_moving(state.bodies,
              [&](const Body<2> &body)
              {
@@ -48,7 +50,7 @@ StepEquations::StepEquations(const Problem &problem,
                  return;
                scheme_terms[b] = scheme.integrator->terms_of(
                    {body, scheme, this->plan, body.boundary.circular && problem.slippery(), external[b],
-                    state.resistance.empty() ? dealii::Tensor<1, 2>() : state.resistance[b]});
+                    state.resistance.empty() ? dealii::Tensor<1, 2>() : state.resistance[b], softest});
              });
 }
 

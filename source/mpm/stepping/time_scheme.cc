@@ -105,7 +105,7 @@ public:
   bool in_space() const override { return true; }
   std::unique_ptr<BodyTerms<2>> terms_of(const BodyStart &start) const override
   {
-    return std::make_unique<BodyResistance>(start.body, start.plan, start.nothing_turns_it, start.resistance);
+    return std::make_unique<BodyResistance>(start);
   }
   /// From which the next step sets out.
   Eigen::VectorXd kept(const BodyEnd &end) const override

@@ -4,9 +4,14 @@
 
 #include <softgrain/mpm/stepping/body_terms.h>
 #include <softgrain/mpm/stepping/step.h>
+#include <softgrain/mpm/stepping/time_integrator.h>
 
 namespace softgrain::mpm
 {
+/// The least Young's modulus of bodies that are not driven [Pa].
+template <int dim>
+double softest_of(const std::vector<Body<dim>> &bodies);
+
 /// Takes from @p impulse what resists the velocities @p v: @p shift times the mass of every node, which
 /// counts as positive also where functions and extensions make it negative [N s m^(dim-3)].
 template <int dim>
@@ -22,19 +27,13 @@ void resist_more(const Body<dim> &body,
 
 /**
  * @brief What resists the motion of one body in a step without inertia: a share of the stiffness of its
- * material against the motion of nodes, and against a turn of the whole. See doc/theory.md, "Without
- * inertia".
+ * softest material of the scene against the motion of nodes, and against a turn of the whole: a hard body
+ * among soft ones is held by what they can bear. See doc/theory.md, "Without inertia".
  */
 class BodyResistance final : public BodyTerms<2>
 {
 public:
-  /// @param holds_turn a round body without friction: that it stays as it is turned is a choice of one of
-  /// many equal answers
-  /// @param before what resisted at the end of the step before [N/m]
-  BodyResistance(const Body<2> &body,
-                 const StepPlan &plan,
-                 bool holds_turn,
-                 const dealii::Tensor<1, 2> &before);
+  explicit BodyResistance(const BodyStart &start);
 
   Eigen::VectorXd increment(const Body<2> &body, const Eigen::VectorXd &v) const override;
   Eigen::VectorXd end_velocity(const Body<2> &, const Eigen::VectorXd &way) const override

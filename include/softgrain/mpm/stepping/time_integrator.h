@@ -32,6 +32,7 @@ struct BodyStart
   bool nothing_turns_it;
   const Eigen::VectorXd &load;     ///< on its nodes, empty where there is none [N/m]
   dealii::Tensor<1, 2> resistance; ///< what has resisted its motion at the end of the step before [N/m]
+  double softest;                  ///< Young's modulus of the softest body of the scene [Pa]
 };
 
 /// What has become of a body in a step.
