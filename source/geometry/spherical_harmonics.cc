@@ -36,8 +36,11 @@ SphericalHarmonics::SphericalHarmonics(const unsigned int degree,
                                        const std::function<double(const Vector &)> &function,
                                        const double damping,
                                        const unsigned int oversampling)
-    : degree(degree), sum(place(degree + 1, 0))
+    : degree(degree), over(place(degree + 1, 0)), sum(place(degree + 1, 0))
 {
+  for (unsigned int l = 0; l <= degree; ++l)
+    for (unsigned int m = 0; m < l; ++m)
+      over[place(l, m)] = 1. / (static_cast<double>(l + m) * (l - m));
   for_directions(oversampling * (degree + 1),
                  [&](const Vector &unit, const double weight)
                  {
@@ -93,15 +96,25 @@ SphericalHarmonics::Coefficients SphericalHarmonics::derivative(const Coefficien
 SphericalHarmonics::Coefficients SphericalHarmonics::table(const Vector &unit) const
 {
   Coefficients R(place(degree + 1, 0));
-  R[0] = 1.;
+  double re = 1., im = 0.; // of R_mm
   for (unsigned int m = 0; m <= degree; ++m)
   {
     if (m > 0)
-      R[place(m, m)] = Complex(unit[0], unit[1]) / (2. * m) * R[place(m - 1, m - 1)];
+    {
+      const double before = re;
+      re = (unit[0] * re - unit[1] * im) / (2. * m);
+      im = (unit[0] * im + unit[1] * before) / (2. * m);
+    }
+    R[place(m, m)] = {re, im};
+    Complex last, here(re, im);
     for (unsigned int l = m + 1; l <= degree; ++l)
-      R[place(l, m)] =
-          ((2. * l - 1.) * unit[2] * R[place(l - 1, m)] - (l > m + 1 ? R[place(l - 2, m)] : Complex())) /
-          (static_cast<double>(l + m) * (l - m));
+    {
+      const double share = over[place(l, m)];
+      const Complex next = (share * (2. * l - 1.) * unit[2]) * here - share * last;
+      R[place(l, m)] = next;
+      last = here;
+      here = next;
+    }
   }
   return R;
 }

@@ -25,7 +25,7 @@ constexpr unsigned int least_degree = 2, most_degree = 24;
 constexpr double damping = 1.5;
 constexpr double apart = 0.08;       ///< directions that are looked at first [rad]
 constexpr double beyond_seen = 1.05; ///< steepest slope between them, over the steepest that is seen
-constexpr unsigned int most_moves = 50;
+constexpr unsigned int most_moves = 50, most_sweeps = 10;
 constexpr double rounding = 1e-13;
 
 std::string in_words(const Place &x)
@@ -257,45 +257,57 @@ TriangulatedSurface StarSolid::surface(const double spacing) const
 StarSolid::Place
 StarSolid::deepest_beside(Place from, const Place &lower, const Place &upper, const double sign) const
 {
-  for (unsigned int sweep = 0; sweep < 10 && !(sign * depth(from) > 0.); ++sweep)
+  constexpr unsigned int halvings = 12;
+  const double least_move = lower.distance(upper) / (1 << halvings);
+  for (unsigned int sweep = 0; sweep < most_sweeps && !(sign * depth(from) > 0.); ++sweep)
+  {
+    const Place before = from;
     for (unsigned int d = 0; d < 3; ++d)
     {
       double low = lower[d], high = upper[d];
-      for (unsigned int halving = 0; halving < 20; ++halving)
+      for (unsigned int halving = 0; halving < halvings; ++halving)
       {
         from[d] = 0.5 * (low + high);
         (sign * gauge(from).gradient[d] > 0. ? high : low) = from[d];
       }
     }
+    if (from.distance(before) <= least_move)
+      break;
+  }
   return from;
 }
 
-/// Between a place inside and one outside. Corners, the middle and what is deepest beside them are tried.
+/// Between a place inside and one outside: one of the corners and the middle, or what is deepest beside the
+/// best of these.
 std::optional<StarSolid::Place> StarSolid::surface_in_box(const Place &lower, const Place &upper) const
 {
   const Place middle = lower + 0.5 * (upper - lower);
   if (std::abs(depth(middle)) > 0.5 * lower.distance(upper))
     return std::nullopt;
-  std::vector<Place> starts = {middle};
+  Place inside = middle, outside = middle;
+  double deepest = depth(middle), highest = deepest;
   for (unsigned int c = 0; c < 8; ++c)
-    starts.emplace_back(c & 1 ? upper[0] : lower[0], c & 2 ? upper[1] : lower[1],
-                        c & 4 ? upper[2] : lower[2]);
-  const auto found = [&](const double sign) -> std::optional<Place>
   {
-    for (const Place &start : starts)
-      if (sign * depth(start) > 0.)
-        return start;
-    for (const Place &start : starts)
-      if (const Place best = deepest_beside(start, lower, upper, sign); sign * depth(best) > 0.)
-        return best;
-    return std::nullopt;
-  };
-  std::optional<Place> inside = found(1.), outside = inside ? found(-1.) : std::nullopt;
-  if (!inside || !outside)
+    const Place corner(c & 1 ? upper[0] : lower[0], c & 2 ? upper[1] : lower[1], c & 4 ? upper[2] : lower[2]);
+    const double here = depth(corner);
+    if (here > deepest)
+    {
+      deepest = here;
+      inside = corner;
+    }
+    if (here < highest)
+    {
+      highest = here;
+      outside = corner;
+    }
+  }
+  inside = deepest_beside(inside, lower, upper, 1.);
+  outside = deepest_beside(outside, lower, upper, -1.);
+  if (!(depth(inside) > 0. && depth(outside) < 0.))
     return std::nullopt;
   for (unsigned int halving = 0; halving < 50; ++halving)
   {
-    const Place between = *inside + 0.5 * (*outside - *inside);
+    const Place between = inside + 0.5 * (outside - inside);
     (depth(between) > 0. ? inside : outside) = between;
   }
   return inside;

@@ -16,6 +16,7 @@ namespace softgrain
 namespace
 {
 constexpr std::size_t header_of_binary = 84, size_of_triangle = 50;
+constexpr double same = 1e-6;     ///< distance of corners that are one, over the extent of all
 constexpr double no_area = 1e-12; ///< over the square of the longest side
 
 using Corners = std::array<dealii::Point<3>, 3>;
@@ -65,6 +66,45 @@ std::vector<Corners> read_ascii(const std::string &path, const std::string &text
   return triangles;
 }
 
+/// Numbers corners; those at nearly the same place have one number. Programs that write a file round the
+/// corners of each triangle for itself.
+class Joiner
+{
+public:
+  /// @param within distance of corners that are one [m]
+  Joiner(const double within, std::vector<dealii::Point<3>> &vertices) : within(within), vertices(vertices) {}
+
+  unsigned int number_of(const dealii::Point<3> &x)
+  {
+    const Box box = box_of(x);
+    for (long i = -1; i <= 1; ++i)
+      for (long j = -1; j <= 1; ++j)
+        for (long k = -1; k <= 1; ++k)
+          if (const auto known = boxes.find({{box[0] + i, box[1] + j, box[2] + k}});
+              known != boxes.end() && vertices[known->second].distance(x) <= within)
+            return known->second;
+    const unsigned int number = vertices.size();
+    vertices.push_back(x);
+    boxes.insert({box, number});
+    return number;
+  }
+
+private:
+  using Box = std::array<long, 3>;
+
+  Box box_of(const dealii::Point<3> &x) const
+  {
+    Box box{};
+    for (unsigned int d = 0; d < 3 && within > 0.; ++d)
+      box[d] = std::lround(x[d] / within);
+    return box;
+  }
+
+  const double within;
+  std::vector<dealii::Point<3>> &vertices;
+  std::map<Box, unsigned int> boxes;
+};
+
 bool is_binary(const std::string &bytes)
 {
   if (bytes.size() < header_of_binary)
@@ -92,28 +132,26 @@ TriangulatedSurface read_stl(const std::string &path, const double scale)
   if (!binary && bytes.compare(0, 5, "solid") != 0)
     refuse(path, "it begins neither with the word 'solid' nor with a header and a number of triangles that "
                  "fits its size");
-  TriangulatedSurface surface;
-  std::map<std::array<double, 3>, unsigned int> known;
-  for (Corners corners : binary ? read_binary(bytes) : read_ascii(path, bytes))
-  {
+  std::vector<Corners> list = binary ? read_binary(bytes) : read_ascii(path, bytes);
+  double extent = 0.;
+  for (Corners &corners : list)
     for (dealii::Point<3> &corner : corners)
     {
       corner *= scale;
       if (!std::isfinite(corner.norm_square()))
         refuse(path, "a corner of a triangle is not finite");
+      extent = std::max(extent, corner.distance(list[0][0]));
     }
+  TriangulatedSurface surface;
+  Joiner joiner(same * extent, surface.vertices);
+  for (const Corners &corners : list)
+  {
     if (!has_area(corners))
       continue;
-    std::array<unsigned int, 3> triangle;
-    for (unsigned int k = 0; k < 3; ++k)
-    {
-      const auto [place, is_new] =
-          known.insert({{{corners[k][0], corners[k][1], corners[k][2]}}, surface.vertices.size()});
-      if (is_new)
-        surface.vertices.push_back(corners[k]);
-      triangle[k] = place->second;
-    }
-    surface.triangles.push_back(triangle);
+    const std::array<unsigned int, 3> triangle = {
+        {joiner.number_of(corners[0]), joiner.number_of(corners[1]), joiner.number_of(corners[2])}};
+    if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
+      surface.triangles.push_back(triangle);
   }
   if (surface.triangles.empty())
     refuse(path, "it has no triangle with an area");

@@ -62,6 +62,7 @@ private:
   static std::size_t place(const unsigned int l, const unsigned int m) { return l * (l + 1) / 2 + m; }
 
   unsigned int degree = 0;
+  std::vector<double> over; ///< 1/((l + m)(l - m))
   Coefficients sum;
   std::array<Coefficients, 3> first;
   std::array<std::array<Coefficients, 3>, 3> second; ///< its lower half
