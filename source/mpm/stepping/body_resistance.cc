@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/stepping/body_resistance.h>
 
-#include <algorithm>
-#include <limits>
-
 namespace softgrain::mpm
 {
 namespace
@@ -13,19 +10,6 @@ namespace
 /// another.
 constexpr double locked = 1e4;
 } // namespace
-
-template <int dim>
-double softest_of(const std::vector<Body<dim>> &bodies)
-{
-  double softest = std::numeric_limits<double>::max();
-  for (const Body<dim> &body : bodies)
-    if (!body.driven)
-      softest = std::min(softest, body.law->young_modulus());
-  return softest;
-}
-
-template double softest_of(const std::vector<Body<2>> &);
-template double softest_of(const std::vector<Body<3>> &);
 
 template <int dim>
 void subtract_drag(const Body<dim> &body,

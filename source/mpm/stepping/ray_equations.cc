@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace softgrain::mpm
@@ -48,6 +49,9 @@ void RayEquations<dim>::lay()
     force.emplace_back(frame.rays.size());
     rubbing.emplace_back(frame.rays.size());
   }
+  softest_pair = std::numeric_limits<double>::max();
+  for (const FrameState<dim> &frame : frames)
+    softest_pair = std::min(softest_pair, frame.conditions().stiffness());
   take_forces_of_start();
   system.take(frames);
   path = h; // 0 is for rays that have never been met
@@ -165,13 +169,19 @@ void RayEquations<dim>::measure_frame(const unsigned int f, double &wrong_fricti
 {
   const FrameState<dim> &frame = frames[f];
   const FrameConditions<dim> conditions = frame.conditions();
+  const double harder = conditions.stiffness() / softest_pair;
+  const auto note = [&](const double off)
+  {
+    deepest = std::max(deepest, off);
+    deepest_by_force = std::max(deepest_by_force, harder * off);
+  };
   for (unsigned int k = 0; k < frame.n_rays(); ++k)
   {
     if (!frame.ray(k).met)
       continue;
     const double gap = conditions.free_gap(k) + conditions.ray_softness() * force[f][k];
     const bool closed = conditions.closed(k, force[f][k]);
-    deepest = std::max(deepest, closed ? std::abs(gap) : -gap);
+    note(closed ? std::abs(gap) : -gap);
     if (!conditions.rubs(k) || !closed)
       continue;
     const double most = conditions.most_friction(k, force[f][k]), rubs = rubbing[f][k].norm();
@@ -180,7 +190,7 @@ void RayEquations<dim>::measure_frame(const unsigned int f, double &wrong_fricti
     // Friction below its bound holds; at its bound it holds across its own direction.
     if (rubs >= (1. - 1e-6) * most)
       slide -= rubs > 0. ? Across((slide * rubbing[f][k]) / (rubs * rubs) * rubbing[f][k]) : slide;
-    deepest = std::max(deepest, slide.norm());
+    note(slide.norm());
   }
 }
 
@@ -198,7 +208,7 @@ template <int dim>
 void RayEquations<dim>::measure()
 {
   double worst = 0., scale = 0., wrong_friction = 0.;
-  deepest = 0.;
+  deepest = deepest_by_force = 0.;
   for (unsigned int f = 0; f < frames.size(); ++f)
     measure_frame(f, wrong_friction);
   // Of every body what is unbalanced, and the largest force on it.

@@ -31,13 +31,14 @@ constexpr double nearly = 0.1, nearly_closed = 1e-2;
 template <int dim>
 bool RayNewton<dim>::good_enough() const
 {
-  return !plan.exact && residual < nearly && deepest < nearly_closed * h;
+  return !plan.exact && residual < nearly && deepest_by_force < nearly_closed * h;
 }
 
 template <int dim>
 bool RayNewton<dim>::converged() const
 {
-  return (residual < world.settings.residual_tolerance || at_rounding()) && deepest < gap_tolerance * h;
+  return (residual < world.settings.residual_tolerance || at_rounding()) &&
+         deepest_by_force < gap_tolerance * h;
 }
 
 template <int dim>

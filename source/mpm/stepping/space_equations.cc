@@ -4,6 +4,7 @@
 #include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/space_equations.h>
 #include <softgrain/mpm/stepping/stiffness.h>
+#include <softgrain/mpm/stepping/wall_imbalance.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +59,7 @@ SpaceEquations::SpaceEquations(const std::vector<Body<3>> &bodies,
   increment.resize(bodies.size());
   internal.resize(bodies.size());
   external.resize(bodies.size());
-  const double young = softest_of(bodies);
+  const double young = softest(bodies);
   work.share.for_mine(bodies,
                       [&](const Body<3> &body)
                       {

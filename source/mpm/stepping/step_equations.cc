@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <softgrain/mpm/stepping/body_resistance.h>
 #include <softgrain/mpm/stepping/external_force.h>
 #include <softgrain/mpm/stepping/step_equations.h>
 #include <softgrain/mpm/stepping/stress.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
+#include <softgrain/mpm/stepping/wall_imbalance.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ StepEquations::StepEquations(const Problem &problem,
   for (const Body<2> &body : state.bodies)
     if (body.driven)
       increment[body.index] = Eigen::VectorXd::Zero(body.field.n_dofs());
-  const double softest = softest_of(state.bodies);
+  const double softest = mpm::softest(state.bodies);
   for_moving(state.bodies,
              [&](const Body<2> &body)
              {

@@ -8,10 +8,6 @@
 
 namespace softgrain::mpm
 {
-/// The least Young's modulus of bodies that are not driven [Pa].
-template <int dim>
-double softest_of(const std::vector<Body<dim>> &bodies);
-
 /// Takes from @p impulse what resists the velocities @p v: @p shift times the mass of every node, which
 /// counts as positive also where functions and extensions make it negative [N s m^(dim-3)].
 template <int dim>

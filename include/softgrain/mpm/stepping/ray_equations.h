@@ -110,7 +110,9 @@ protected:
   Vectors trial;        ///< the velocity for it, of owned bodies [m/s]
   double residual = 0.; ///< largest unbalanced force of a body or a wall over the largest force on one
   double deepest =
-      0.;           ///< largest gap of a pressed ray, overlap of another one, or slide of one that sticks [m]
+      0.; ///< largest gap of a pressed ray, overlap of another one, or slide of one that sticks [m]
+  /// The same, of hard bodies times their stiffness over that of the softest pair: what forces may be off by.
+  double deepest_by_force = 0.;
   double path = 0.; ///< no place has moved by more than this, all iterations summed [m]
   static constexpr unsigned int none = FrameState<dim>::none;
   unsigned int not_met = none; ///< a frame with a pressed ray that is not met
@@ -122,6 +124,7 @@ private:
   void measure_frame(unsigned int f, double &wrong_friction);
 
   Vectors displacement;
+  double softest_pair = 0.; ///< FrameConditions::stiffness() of the softest pair
 };
 } // namespace softgrain::mpm
 

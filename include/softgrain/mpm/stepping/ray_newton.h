@@ -33,6 +33,7 @@ protected:
   using Base::at_rounding;
   using Base::candidates_within;
   using Base::deepest;
+  using Base::deepest_by_force;
   using Base::equations;
   using Base::evaluate;
   using Base::factorise;
