@@ -11,6 +11,7 @@ from running import PARAMETERS, RunFailed, run
 # How a scene is drawn, where `softgrain render` does not choose it well by itself.
 DRAWING = {
     "bar_period": ["--field", "velocity_m_per_s:x", "--frame", "0"],
+    "eight_polyhedra": ["--field", "body", "--view", "-60", "20"],
     "eight_spheres": ["--cut", "y=6e-3"],
     "diametral_compression_mpm_thesis_method": ["--contacts", "none"],
     "generalized_vortex": ["--field", "velocity_m_per_s", "--frame", "2"],

@@ -47,7 +47,7 @@ struct ConvexHull
   /// How deep a place lies inside, 0 on the surface and outside [m].
   double depth(const dealii::Point<3> &x) const;
 
-  /// For a place with depth() = 0.
+  /// The place nearest to one with depth() = 0.
   Foot foot(const dealii::Point<3> &x) const;
 
   double volume() const; ///< [m^3]

@@ -27,10 +27,10 @@ protected:
 
   void parse_place(const dealii::ParameterHandler &prm, const Place &center);
 
-  /// Along the derivative of -depth() at a place that is not the centre, of any length.
+  /// A vector along the derivative of -depth() at a place that is not the centre.
   virtual Vector outward(const Place &p) const = 0;
 
-  /// Of an ellipsoid that is about as long in every direction as the body is, along its axes [m].
+  /// Semi-axes of an ellipsoid that is about as long in every direction as the body is, along its axes [m].
   virtual Vector extents() const = 0;
 
   /// How much farther than that ellipsoid the body reaches in any direction, at most.

@@ -31,7 +31,7 @@ public:
   double depth(const Place &p) const override;
   SurfacePlace<3> place(const Place &x) const override;
   bool round() const override { return hull.corners.size() == 1; }
-  /// By Steiner's formula: V + S r + (sum of the edges' lengths times turns)/2 r^2 + 4/3 pi r^3.
+  /// Steiner's formula is V + S r + (sum of the edges' lengths times turns)/2 r^2 + 4/3 pi r^3.
   double volume() const override;
   std::pair<double, double> distances_from_plane(const Place &point, const Vector &normal) const override;
   TriangulatedSurface surface(double spacing) const override;

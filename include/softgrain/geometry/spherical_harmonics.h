@@ -53,7 +53,7 @@ private:
   using Complex = std::complex<double>;
   using Coefficients = std::vector<Complex>; ///< see place()
 
-  /// Of a derivative: that of degree l stands with the harmonics of degree l - 1, which it has.
+  /// The coefficients of a derivative: those of degree l stand with the harmonics of degree l - 1.
   Coefficients derivative(const Coefficients &of, unsigned int direction) const;
   Coefficients table(const Vector &unit) const;
   /// Calls @p function(unit vector, weight) with @p n heights.

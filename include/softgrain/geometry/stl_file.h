@@ -8,8 +8,8 @@
 
 namespace softgrain
 {
-/// The triangles of an STL file, binary or ASCII. Corners are joined that are at the same place, to a millionth
-/// of the extent; triangles without an area are left out. @param scale length of its unit [m]
+/// The triangles of an STL file, binary or ASCII. Corners are joined that are at the same place, to a
+/// millionth of the extent; triangles without an area are left out. @param scale length of its unit [m]
 /// @throw InputError when it is none, or has no triangle
 TriangulatedSurface read_stl(const std::string &path, double scale);
 } // namespace softgrain

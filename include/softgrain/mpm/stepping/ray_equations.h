@@ -111,7 +111,8 @@ protected:
   double residual = 0.; ///< largest unbalanced force of a body or a wall over the largest force on one
   double deepest =
       0.; ///< largest gap of a pressed ray, overlap of another one, or slide of one that sticks [m]
-  /// The same, of hard bodies times their stiffness over that of the softest pair: what forces may be off by.
+  /// Gaps like the deepest one, times the stiffness of the pair over that of the softest: they tell what
+  /// forces are off by [m].
   double deepest_by_force = 0.;
   double path = 0.; ///< no place has moved by more than this, all iterations summed [m]
   static constexpr unsigned int none = FrameState<dim>::none;
