@@ -23,8 +23,8 @@ CASES = {
     "thirty at 5 m/s": ("gallery/thirty_grains_mpm.prm", {}),
     "thirty at rest": ("gallery/thirty_grains_quasi_static_mpm.prm", {}),
     "300 at 5 m/s": ("thesis/uniaxial_compaction_mpm.prm", {"Stop/End time": 3e-4, **SPARSE}),
-    "76 500 primaries, one step": (PRIMARIES, {"Stop/End time": 1e-7, **SPARSE}),
-    "76 500 primaries, 40 steps": (PRIMARIES, {"Stop/End time": 4e-6, **SPARSE}),
+    "100 000 primaries, one step": (PRIMARIES, {"Packing/Number": 392, "Stop/End time": 1e-7, **SPARSE}),
+    "100 000 primaries, 40 steps": (PRIMARIES, {"Packing/Number": 392, "Stop/End time": 4e-6, **SPARSE}),
     "eight spheres": ("gallery/eight_spheres.prm", {}),
 }
 
