@@ -10,8 +10,6 @@ namespace softgrain::mpm
 {
 namespace
 {
-constexpr double lasts = 0.99027; ///< cosine of 8 degrees, see keeps_direction
-
 /// To where slopes are 0, a cell at most.
 template <int n>
 dealii::Tensor<1, n>
@@ -168,18 +166,6 @@ FrameLayout<dim>::on_both_sides_of_corners(const Places &places, const ContactFr
 
 template <int dim>
 void FrameLayout<dim>::center(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const
-{
-  move_to_nearest(stretch, frame);
-  if (frame.direction * stretch.direction < lasts)
-  {
-    // A frame that is turned further from its stretch would be laid anew in every step.
-    const Vector across = frame.direction - (frame.direction * stretch.direction) * stretch.direction;
-    mpm::turn(frame, lasts * stretch.direction + std::sqrt(1. - lasts * lasts) / across.norm() * across);
-  }
-}
-
-template <int dim>
-void FrameLayout<dim>::move_to_nearest(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const
 {
   const std::vector<Places> starts = on_both_sides_of_corners(begin_at_samples(stretch, frame), frame);
   if (starts.size() == 1)

@@ -111,8 +111,11 @@ void find_here(const LookedAt<dim> &at, FramesBefore<dim> &before, const std::ve
                    look(at.scene, at.samples, *tasks[i]);
                });
   for (FrameTask<dim> *const task : tasks)
-    task->found =
-        start_frames(at.scene, task->stretches, named_frames(*task, at.samples[task->named.body]), before);
+  {
+    const SampledSurface<dim> &body = at.samples[task->named.body];
+    task->found = start_frames(at.scene, StretchesOfPair<dim>{task->stretches, task->partner, body},
+                               named_frames(*task, body), before);
+  }
   const bool remembers = at.scene.adhesion != nullptr && at.scene.adhesion->remembers();
   parallel_for(tasks.size(), 4,
                [&](const std::size_t begin, const std::size_t end)

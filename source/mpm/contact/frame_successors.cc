@@ -21,6 +21,16 @@ bool is_pressed(const ContactFrame<dim> &frame)
   return std::any_of(frame.rays.begin(), frame.rays.end(), [](const auto &ray) { return ray.force != 0.; });
 }
 
+/// Rays from which on a contact has a width: what is narrower is met at its middle, which may have gone on.
+constexpr unsigned int least_wide = 3;
+
+template <int dim>
+bool is_wide(const ContactFrame<dim> &frame)
+{
+  return std::count_if(frame.rays.begin(), frame.rays.end(),
+                       [](const auto &ray) { return ray.force != 0.; }) >= static_cast<long>(least_wide);
+}
+
 /// Which frames of before go on in the stretches of a pair.
 template <int dim>
 class Successors
@@ -29,10 +39,12 @@ public:
   using Frame = ContactFrame<dim>;
   using Old = typename FramesBefore<dim>::iterator;
 
-  Successors(const std::vector<FrameStretch<dim>> &stretches,
-             const std::vector<Frame> &named,
-             FramesBefore<dim> &before)
-      : stretches(stretches), named(named), before(before), chosen(stretches.size(), before.end())
+  Successors(const StretchesOfPair<dim> &pair, const std::vector<Frame> &named, FramesBefore<dim> &before)
+      : pair(pair)
+      , stretches(pair.stretches)
+      , named(named)
+      , before(before)
+      , chosen(stretches.size(), before.end())
   {
   }
 
@@ -46,9 +58,9 @@ public:
         add_pairs(s, cosine, within, pairs);
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const Pair &a, const Pair &b) { return a.distance < b.distance; });
-    for (const Pair &pair : pairs)
-      if (chosen[pair.stretch] == before.end() && !is_taken(pair.old))
-        chosen[pair.stretch] = pair.old;
+    for (const Pair &next : pairs)
+      if (chosen[next.stretch] == before.end() && !is_taken(next.old))
+        chosen[next.stretch] = next.old;
   }
 
   /// The frame of before for a stretch, which is taken out there; nothing if there is none.
@@ -75,13 +87,40 @@ private:
     for (Old old = first; old != end; ++old)
     {
       const double distance = old->second.origin.distance(stretches[s].middle);
-      if (is_pressed(old->second) && old->second.direction * stretches[s].direction >= cosine &&
-          distance < within)
+      if (is_pressed(old->second) && distance < within && fits(old->second, stretches[s], cosine))
         pairs.push_back({distance, s, old});
     }
   }
+
+  /// Whether a frame has the direction of a stretch, or of the normals where it presses: these may be at one
+  /// end of a long stretch.
+  bool fits(const Frame &frame, const FrameStretch<dim> &stretch, const double cosine) const
+  {
+    if (frame.direction * stretch.direction >= cosine)
+      return true;
+    if (pair.partner == nullptr || stretch.corner != Frame::none || !is_wide(frame))
+      return false;
+    dealii::Tensor<1, dim> sum;
+    for (const auto &[i, j] : stretch.facing)
+      if (is_under_pressed_ray(frame, pair.body.samples[j].position))
+        sum += pair.partner->samples[i].normal - pair.body.samples[j].normal;
+    return frame.direction * sum > cosine * sum.norm();
+  }
+
+  static bool is_under_pressed_ray(const Frame &frame, const dealii::Point<dim> &x)
+  {
+    dealii::Tensor<1, dim - 1> across;
+    for (unsigned int m = 0; m < dim - 1; ++m)
+      across[m] = (x - frame.origin) * frame.across[m];
+    return std::any_of(frame.rays.begin(), frame.rays.end(),
+                       [&](const auto &ray) {
+                         return ray.force != 0. && (frame.offset(ray.index) - across).norm() < frame.spacing;
+                       });
+  }
+
   bool is_taken(const Old old) const { return std::find(chosen.begin(), chosen.end(), old) != chosen.end(); }
 
+  const StretchesOfPair<dim> &pair;
   const std::vector<FrameStretch<dim>> &stretches;
   const std::vector<Frame> &named;
   FramesBefore<dim> &before;
@@ -111,11 +150,12 @@ FramesBefore<dim> frames_before(const FrameScene<dim> &scene, std::vector<Contac
 
 template <int dim>
 std::vector<ContactFrame<dim>> start_frames(const FrameScene<dim> &scene,
-                                            const std::vector<FrameStretch<dim>> &stretches,
+                                            const StretchesOfPair<dim> &pair,
                                             std::vector<ContactFrame<dim>> named,
                                             FramesBefore<dim> &before)
 {
-  Successors<dim> successors(stretches, named, before);
+  const std::vector<FrameStretch<dim>> &stretches = pair.stretches;
+  Successors<dim> successors(pair, named, before);
   successors.join(keeps_direction, std::numeric_limits<double>::max(), true);
   if (scene.instants.inertia())
     successors.join(turns_direction, turns_within * scene.cell_size, false);
@@ -137,11 +177,11 @@ std::vector<ContactFrame<dim>> start_frames(const FrameScene<dim> &scene,
 template FramesBefore<2> frames_before(const FrameScene<2> &, std::vector<ContactFrame<2>>);
 template FramesBefore<3> frames_before(const FrameScene<3> &, std::vector<ContactFrame<3>>);
 template std::vector<ContactFrame<2>> start_frames(const FrameScene<2> &,
-                                                   const std::vector<FrameStretch<2>> &,
+                                                   const StretchesOfPair<2> &,
                                                    std::vector<ContactFrame<2>>,
                                                    FramesBefore<2> &);
 template std::vector<ContactFrame<3>> start_frames(const FrameScene<3> &,
-                                                   const std::vector<FrameStretch<3>> &,
+                                                   const StretchesOfPair<3> &,
                                                    std::vector<ContactFrame<3>>,
                                                    FramesBefore<3> &);
 } // namespace softgrain::mpm

@@ -31,7 +31,7 @@ public:
   void lay(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const;
 
   /// Moves a new frame to where the two are nearest, and turns it to their normals there: a light contact is
-  /// met at its middle. It is turned no further from its stretch than it may be in the next step.
+  /// met at its middle.
   void center(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const;
 
   /// Turns a frame about the place where both are met in the middle of its forces: there the gap stays what
@@ -70,7 +70,6 @@ private:
                  const typename ContactFrame<dim>::RayPlace *old,
                  typename ContactFrame<dim>::RayPlace &ray,
                  double &height) const;
-  void move_to_nearest(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const;
   Places begin_at_samples(const FrameStretch<dim> &stretch, ContactFrame<dim> &frame) const;
   std::vector<Places> on_both_sides_of_corners(const Places &places, const ContactFrame<dim> &frame) const;
   std::optional<double> find_middle(Places place, ContactFrame<dim> &frame) const;

@@ -18,7 +18,17 @@ using FramesBefore = std::multimap<FrameKey<dim>, ContactFrame<dim>>;
 template <int dim>
 FramesBefore<dim> frames_before(const FrameScene<dim> &scene, std::vector<ContactFrame<dim>> frames);
 
-/// Cosine of 11 degrees: a frame that is off the direction of its stretch by more is turned or laid anew.
+/// The stretches of a pair, whose numbers are those of samples.
+template <int dim>
+struct StretchesOfPair
+{
+  const std::vector<FrameStretch<dim>> &stretches;
+  const SampledSurface<dim> *partner; ///< null: a wall
+  const SampledSurface<dim> &body;
+};
+
+/// Cosine of 11 degrees: a frame that is off the direction of its stretch by more, and off the normals where
+/// it presses, is turned or laid anew.
 constexpr double keeps_direction = 0.98163;
 
 /**
@@ -35,7 +45,7 @@ constexpr double keeps_direction = 0.98163;
  */
 template <int dim>
 std::vector<ContactFrame<dim>> start_frames(const FrameScene<dim> &scene,
-                                            const std::vector<FrameStretch<dim>> &stretches,
+                                            const StretchesOfPair<dim> &pair,
                                             std::vector<ContactFrame<dim>> named,
                                             FramesBefore<dim> &before);
 } // namespace softgrain::mpm
