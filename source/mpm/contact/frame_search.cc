@@ -94,10 +94,9 @@ struct LookedAt
 
 /// Whether a frame that is kept has to be turned.
 template <int dim>
-bool turns(const FrameScene<dim> &scene, const Frame<dim> &frame, const FrameStretch<dim> &stretch)
+bool turns(const Frame<dim> &frame, const FrameStretch<dim> &stretch)
 {
-  return scene.instants.inertia() && frame.corner == Frame<dim>::none &&
-         frame.direction * stretch.direction < keeps_direction;
+  return frame.corner == Frame<dim>::none && frame.direction * stretch.direction < keeps_direction;
 }
 
 /// Finds the frames of some tasks. @param before frames of the step before that have no successor yet
@@ -111,11 +110,8 @@ void find_here(const LookedAt<dim> &at, FramesBefore<dim> &before, const std::ve
                    look(at.scene, at.samples, *tasks[i]);
                });
   for (FrameTask<dim> *const task : tasks)
-  {
-    const SampledSurface<dim> &body = at.samples[task->named.body];
-    task->found = start_frames(at.scene, StretchesOfPair<dim>{task->stretches, task->partner, body},
-                               named_frames(*task, body), before);
-  }
+    task->found =
+        start_frames(at.scene, task->stretches, named_frames(*task, at.samples[task->named.body]), before);
   const bool remembers = at.scene.adhesion != nullptr && at.scene.adhesion->remembers();
   parallel_for(tasks.size(), 4,
                [&](const std::size_t begin, const std::size_t end)
@@ -131,7 +127,7 @@ void find_here(const LookedAt<dim> &at, FramesBefore<dim> &before, const std::ve
                      const FrameStretch<dim> &stretch = task.stretches[s];
                      if (frame.corner == Frame<dim>::none && frame.rays.empty())
                        layout.center(stretch, frame);
-                     else if (turns(at.scene, frame, stretch))
+                     else if (turns(frame, stretch))
                        layout.turn(stretch.direction, frame);
                      layout.lay(stretch, frame);
                      if (remembers && frame.id == 0)

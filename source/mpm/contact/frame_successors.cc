@@ -39,23 +39,22 @@ public:
   using Frame = ContactFrame<dim>;
   using Old = typename FramesBefore<dim>::iterator;
 
-  Successors(const StretchesOfPair<dim> &pair, const std::vector<Frame> &named, FramesBefore<dim> &before)
-      : pair(pair)
-      , stretches(pair.stretches)
-      , named(named)
-      , before(before)
-      , chosen(stretches.size(), before.end())
+  Successors(const std::vector<FrameStretch<dim>> &stretches,
+             const std::vector<Frame> &named,
+             FramesBefore<dim> &before)
+      : stretches(stretches), named(named), before(before), chosen(stretches.size(), before.end())
   {
   }
 
   /// Joins what is left, the nearest first. @param cosine least one of the directions
   /// @param within largest distance [m] @param corners whether frames of corners are joined, too
-  void join(const double cosine, const double within, const bool corners)
+  /// @param wide whether only contacts that have a width are
+  void join(const double cosine, const double within, const bool corners, const bool wide)
   {
     std::vector<Pair> pairs;
     for (unsigned int s = 0; s < stretches.size(); ++s)
       if (chosen[s] == before.end() && (corners || named[s].corner == Frame::none))
-        add_pairs(s, cosine, within, pairs);
+        add_pairs(s, cosine, within, wide, pairs);
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const Pair &a, const Pair &b) { return a.distance < b.distance; });
     for (const Pair &next : pairs)
@@ -81,46 +80,23 @@ private:
     Old old;
   };
 
-  void add_pairs(const unsigned int s, const double cosine, const double within, std::vector<Pair> &pairs)
+  void add_pairs(const unsigned int s,
+                 const double cosine,
+                 const double within,
+                 const bool wide,
+                 std::vector<Pair> &pairs)
   {
     const auto [first, end] = before.equal_range(key_of(named[s]));
     for (Old old = first; old != end; ++old)
     {
       const double distance = old->second.origin.distance(stretches[s].middle);
-      if (is_pressed(old->second) && distance < within && fits(old->second, stretches[s], cosine))
+      if (is_pressed(old->second) && old->second.direction * stretches[s].direction >= cosine &&
+          distance < within && (!wide || is_wide(old->second)))
         pairs.push_back({distance, s, old});
     }
   }
-
-  /// Whether a frame has the direction of a stretch, or of the normals where it presses: these may be at one
-  /// end of a long stretch.
-  bool fits(const Frame &frame, const FrameStretch<dim> &stretch, const double cosine) const
-  {
-    if (frame.direction * stretch.direction >= cosine)
-      return true;
-    if (pair.partner == nullptr || stretch.corner != Frame::none || !is_wide(frame))
-      return false;
-    dealii::Tensor<1, dim> sum;
-    for (const auto &[i, j] : stretch.facing)
-      if (is_under_pressed_ray(frame, pair.body.samples[j].position))
-        sum += pair.partner->samples[i].normal - pair.body.samples[j].normal;
-    return frame.direction * sum > cosine * sum.norm();
-  }
-
-  static bool is_under_pressed_ray(const Frame &frame, const dealii::Point<dim> &x)
-  {
-    dealii::Tensor<1, dim - 1> across;
-    for (unsigned int m = 0; m < dim - 1; ++m)
-      across[m] = (x - frame.origin) * frame.across[m];
-    return std::any_of(frame.rays.begin(), frame.rays.end(),
-                       [&](const auto &ray) {
-                         return ray.force != 0. && (frame.offset(ray.index) - across).norm() < frame.spacing;
-                       });
-  }
-
   bool is_taken(const Old old) const { return std::find(chosen.begin(), chosen.end(), old) != chosen.end(); }
 
-  const StretchesOfPair<dim> &pair;
   const std::vector<FrameStretch<dim>> &stretches;
   const std::vector<Frame> &named;
   FramesBefore<dim> &before;
@@ -150,15 +126,13 @@ FramesBefore<dim> frames_before(const FrameScene<dim> &scene, std::vector<Contac
 
 template <int dim>
 std::vector<ContactFrame<dim>> start_frames(const FrameScene<dim> &scene,
-                                            const StretchesOfPair<dim> &pair,
+                                            const std::vector<FrameStretch<dim>> &stretches,
                                             std::vector<ContactFrame<dim>> named,
                                             FramesBefore<dim> &before)
 {
-  const std::vector<FrameStretch<dim>> &stretches = pair.stretches;
-  Successors<dim> successors(pair, named, before);
-  successors.join(keeps_direction, std::numeric_limits<double>::max(), true);
-  if (scene.instants.inertia())
-    successors.join(turns_direction, turns_within * scene.cell_size, false);
+  Successors<dim> successors(stretches, named, before);
+  successors.join(keeps_direction, std::numeric_limits<double>::max(), true, false);
+  successors.join(turns_direction, turns_within * scene.cell_size, false, !scene.instants.inertia());
   std::vector<ContactFrame<dim>> result(stretches.size());
   for (unsigned int s = 0; s < stretches.size(); ++s)
   {
@@ -177,11 +151,11 @@ std::vector<ContactFrame<dim>> start_frames(const FrameScene<dim> &scene,
 template FramesBefore<2> frames_before(const FrameScene<2> &, std::vector<ContactFrame<2>>);
 template FramesBefore<3> frames_before(const FrameScene<3> &, std::vector<ContactFrame<3>>);
 template std::vector<ContactFrame<2>> start_frames(const FrameScene<2> &,
-                                                   const StretchesOfPair<2> &,
+                                                   const std::vector<FrameStretch<2>> &,
                                                    std::vector<ContactFrame<2>>,
                                                    FramesBefore<2> &);
 template std::vector<ContactFrame<3>> start_frames(const FrameScene<3> &,
-                                                   const StretchesOfPair<3> &,
+                                                   const std::vector<FrameStretch<3>> &,
                                                    std::vector<ContactFrame<3>>,
                                                    FramesBefore<3> &);
 } // namespace softgrain::mpm

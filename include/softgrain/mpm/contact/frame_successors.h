@@ -18,15 +18,6 @@ using FramesBefore = std::multimap<FrameKey<dim>, ContactFrame<dim>>;
 template <int dim>
 FramesBefore<dim> frames_before(const FrameScene<dim> &scene, std::vector<ContactFrame<dim>> frames);
 
-/// The stretches of a pair, whose numbers are those of samples.
-template <int dim>
-struct StretchesOfPair
-{
-  const std::vector<FrameStretch<dim>> &stretches;
-  const SampledSurface<dim> *partner; ///< null: a wall
-  const SampledSurface<dim> &body;
-};
-
 /// Cosine of 11 degrees: a frame that is off the direction of its stretch by more, and off the normals where
 /// it presses, is turned or laid anew.
 constexpr double keeps_direction = 0.98163;
@@ -36,16 +27,19 @@ constexpr double keeps_direction = 0.98163;
  * new one.
  *
  * The frame and the stretch that are nearest to each other go together first, then the nearest of those that
- * are left: whichever stretch is found first, none gets the frame of another one. With inertia a stretch also
- * gets a frame near it that has to be turned; that frame still has its old direction. A corner has but one
- * ray, whose gap does not depend on where it stood before.
+ * are left: whichever stretch is found first, none gets the frame of another one. A stretch also
+ * gets a frame near it that has to be turned, which still has its old direction: with inertia any, at rest
+ * one that presses over a width. What is narrower is laid anew at rest, where both are nearest. A new frame
+ * may be turned off its stretch, since it has the normals there; if wide ones were laid anew, they would be
+ * so in every step, with other gaps. A corner has but one ray, whose gap does not depend on where it stood
+ * before.
  *
  * @param named  what the frame of each stretch is to have in common with one before
  * @param before loses the frames that are taken
  */
 template <int dim>
 std::vector<ContactFrame<dim>> start_frames(const FrameScene<dim> &scene,
-                                            const StretchesOfPair<dim> &pair,
+                                            const std::vector<FrameStretch<dim>> &stretches,
                                             std::vector<ContactFrame<dim>> named,
                                             FramesBefore<dim> &before);
 } // namespace softgrain::mpm
