@@ -132,7 +132,8 @@ std::vector<ContactFrame<dim>> start_frames(const FrameScene<dim> &scene,
 {
   Successors<dim> successors(stretches, named, before);
   successors.join(keeps_direction, std::numeric_limits<double>::max(), true, false);
-  successors.join(turns_direction, turns_within * scene.cell_size, false, !scene.instants.inertia());
+  if (dim == 2 || scene.instants.inertia())
+    successors.join(turns_direction, turns_within * scene.cell_size, false, !scene.instants.inertia());
   std::vector<ContactFrame<dim>> result(stretches.size());
   for (unsigned int s = 0; s < stretches.size(); ++s)
   {
