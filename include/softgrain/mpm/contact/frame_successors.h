@@ -29,10 +29,10 @@ constexpr double keeps_direction = 0.98163;
  * The frame and the stretch that are nearest to each other go together first, then the nearest of those that
  * are left: whichever stretch is found first, none gets the frame of another one. A stretch also
  * gets a frame near it that has to be turned, which still has its old direction: with inertia any, at rest
- * one that presses over a width. What is narrower is laid anew at rest, where both are nearest. A new frame
- * may be turned off its stretch, since it has the normals there; if wide ones were laid anew, they would be
- * so in every step, with other gaps. A corner has but one ray, whose gap does not depend on where it stood
- * before.
+ * one of the plane that presses over a width. What is narrower is laid anew at rest, where both are nearest.
+ * A new frame may be turned off its stretch, since it has the normals there; if wide ones were laid anew,
+ * they would be so in every step, with other gaps. A corner has but one ray, whose gap does not depend on
+ * where it stood before.
  *
  * @param named  what the frame of each stretch is to have in common with one before
  * @param before loses the frames that are taken
