@@ -17,14 +17,15 @@ from processor import seconds_of
 PARAMETERS = pathlib.Path(__file__).resolve().parents[1] / "parameters"
 SPARSE = {"Output/Fields every": 1, "Output/Snapshots every": 1, "Output/Number of field outputs": 1}
 PRIMARIES = "thesis/uniaxial_compaction_bpm_friction.prm"
+SMALLER = {"Primaries/Smallest diameter": 6.12e-5, "Primaries/Largest diameter": 1.137e-4}  # 100 000 in place of 76 500
 CASES = {
     "start": None,
     "one disk": ("thesis/diametral_compression_mpm.prm", {}),
     "thirty at 5 m/s": ("gallery/thirty_grains_mpm.prm", {}),
     "thirty at rest": ("gallery/thirty_grains_quasi_static_mpm.prm", {}),
     "300 at 5 m/s": ("thesis/uniaxial_compaction_mpm.prm", {"Stop/End time": 3e-4, **SPARSE}),
-    "100 000 primaries, one step": (PRIMARIES, {"Packing/Number": 392, "Stop/End time": 1e-7, **SPARSE}),
-    "100 000 primaries, 40 steps": (PRIMARIES, {"Packing/Number": 392, "Stop/End time": 4e-6, **SPARSE}),
+    "100 000 primaries, one step": (PRIMARIES, {**SMALLER, "Stop/End time": 1e-7, **SPARSE}),
+    "100 000 primaries, 40 steps": (PRIMARIES, {**SMALLER, "Stop/End time": 4e-6, **SPARSE}),
     "eight spheres": ("gallery/eight_spheres.prm", {}),
 }
 
