@@ -82,7 +82,7 @@ void stiffness_of(const std::string &law)
   dealii::Tensor<1, 3> sum, torque;
   for (unsigned int i = 0; i < body.field.n_independent(); ++i)
   {
-    dealii::Tensor<1, 3> f, x = body.field.position(body.field.node_of_independent(i)) - dealii::Point<3>();
+    dealii::Tensor<1, 3> f, x = body.field.place(i) - dealii::Point<3>();
     for (unsigned int e = 0; e < 3; ++e)
     {
       f[e] = force[3 * i + e];

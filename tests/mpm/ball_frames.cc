@@ -62,7 +62,7 @@ void add_everywhere(const SpaceState &state)
   for (const Body<3> &body : state.bodies)
   {
     std::set<unsigned int> with_points, cells;
-    for (const auto &color : body.field.colors())
+    for (const auto &color : body.field.cells().colors())
       with_points.insert(color.begin(), color.end());
     const dealii::Point<3> center = body.center();
     for (unsigned int i = 0; i < 100; ++i)
@@ -99,7 +99,7 @@ int main()
   const FrameScene<3> scene{state.bodies, state.surfaces, walls, 1., {}, 0.5};
   Vectors start;
   for (const Body<3> &body : state.bodies)
-    start.push_back(body.displacement);
+    start.push_back(body.nodes.displacement);
   for (const ContactFrame<3> &frame : find_frames(scene, {}))
   {
     const std::string partner =

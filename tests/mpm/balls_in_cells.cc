@@ -240,7 +240,7 @@ Moving moving(const std::string &centers_a,
   }
   result.energy /= largest;
   for (const Body<3> &body : state_of(*model).bodies)
-    result.velocity.push_back(body.momentum() / body.mass.sum());
+    result.velocity.push_back(body.nodes.momentum() / body.nodes.mass.sum());
   return result;
 }
 

@@ -18,12 +18,11 @@ double modal_velocity(const mpm::MpmModel &model)
 {
   const mpm::Body<2> &body = model.bodies()[0];
   double sum = 0., norm = 0.;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
   {
-    const double shape =
-        std::cos(dealii::numbers::PI / length * body.field.position(body.field.node_of_independent(i))[0]);
-    sum += body.mass[i] * shape * body.velocity[2 * i];
-    norm += body.mass[i] * shape * shape;
+    const double shape = std::cos(dealii::numbers::PI / length * body.field.place(i)[0]);
+    sum += body.nodes.mass[i] * shape * body.nodes.velocity[2 * i];
+    norm += body.nodes.mass[i] * shape * shape;
   }
   return sum / norm;
 }

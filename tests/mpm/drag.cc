@@ -43,7 +43,7 @@ subsection Stop
 end
 )",
         {"Material points/Shape function=" + functions, "Material points/Points per direction=3"});
-    const Eigen::VectorXd mass = model->bodies()[0].mass;
+    const Eigen::VectorXd mass = model->bodies()[0].nodes.mass;
     const double before = model->bodies()[0].center()[1];
     model->advance(1.);
     const double way = before - model->bodies()[0].center()[1], weight = mass.sum() * gravity;

@@ -26,7 +26,7 @@ void attempt(const std::string &what,
       model->advance(1.);
       energy.look(*model);
       for (const auto &body : model->bodies())
-        finite = finite && body.velocity.allFinite() && body.displacement.allFinite();
+        finite = finite && body.nodes.velocity.allFinite() && body.nodes.displacement.allFinite();
     }
     const Energies e = model->energies();
     finite = finite && std::isfinite(e.kinetic + e.elastic + e.dissipated + e.external_work);

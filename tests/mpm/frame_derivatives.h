@@ -160,7 +160,7 @@ Vectors changes(const std::vector<Body<dim>> &bodies, const unsigned int seed, c
         each = number(random);
     for (unsigned int i = 0; i < body.field.n_independent(); ++i)
     {
-      const auto arm = body.field.position(body.field.node_of_independent(i)) - body.center();
+      const auto arm = body.field.place(i) - body.center();
       for (unsigned int d = 0; d < dim; ++d)
       {
         double value = c[d][0] + std::sin(c[d][dim + 1] * arm[d]);

@@ -24,7 +24,7 @@ void fall()
                       {"Bodies/a/Angular velocity=0.03, -0.02, 0.01", "Time/Theta=" + theta});
     const dealii::Tensor<1, 3> spin = turns.spin(0);
     turns.run(100., [](const StepReport &) {});
-    const double mass = turns.state().bodies[0].mass.sum();
+    const double mass = turns.state().bodies[0].nodes.mass.sum();
     // Lumped masses turn like a ball that is somewhat larger.
     std::cout << "turns, theta " << theta << ": spin over 2/5 m R^2 "
               << spin[0] / (0.4 * mass * radius * radius * 0.03) << ", lost "
@@ -46,7 +46,7 @@ Impact meet(const std::vector<std::string> &changes, const double until)
   Impact impact;
   const dealii::Tensor<1, 3> momentum = balls.momentum(), turning = balls.angular_momentum();
   const double energy = balls.total_energy(), speed = (balls.velocity(0) - balls.velocity(1)).norm(),
-               mass = balls.state().bodies[0].mass.sum(), kinetic = balls.model->energies().kinetic;
+               mass = balls.state().bodies[0].nodes.mass.sum(), kinetic = balls.model->energies().kinetic;
   const double before = balls.velocity(0)[0] - balls.velocity(1)[0];
   double force_before = 0.;
   balls.run(until,
@@ -71,7 +71,8 @@ Impact meet(const std::vector<std::string> &changes, const double until)
   impact.velocity = balls.velocity(one);
   impact.spin = balls.spin(one) / (0.4 * mass * radius);
   for (const Body<3> &body : balls.state().bodies)
-    impact.all.insert(impact.all.end(), body.velocity.data(), body.velocity.data() + body.velocity.size());
+    impact.all.insert(impact.all.end(), body.nodes.velocity.data(),
+                      body.nodes.velocity.data() + body.nodes.velocity.size());
   impact.iterations = static_cast<double>(balls.iterations) / balls.steps;
   impact.cut = balls.attempts - balls.steps;
   return impact;

@@ -30,13 +30,13 @@ struct Squeezed
     Eigen::VectorXd u(body.field.n_dofs());
     for (unsigned int i = 0; i < body.field.n_independent(); ++i)
       for (unsigned int d = 0; d < 2; ++d)
-        u[2 * i + d] = -0.005 * body.field.position(body.field.node_of_independent(i))[d];
-    body.displacement = u;
+        u[2 * i + d] = -0.005 * body.field.place(i)[d];
+    body.nodes.displacement = u;
     mpm::evaluate_stress(body, u, u, {0., true, 0.}, points);
     lay_out_stiffness(body.field, matrix, false);
     matrix.set_zero();
     mpm::add_stiffness(body, points, 1., matrix);
-    matrix.add_mass<2>(body.mass, 1e-3 * body.law->young_modulus() / body.mass.sum());
+    matrix.add_mass<2>(body.nodes.mass, 1e-3 * body.material.law->young_modulus() / body.nodes.mass.sum());
     rotation = mpm::whole_rotation(body);
   }
 
@@ -91,7 +91,8 @@ void count(const std::string &name)
   for (const double less : {1., 30., 300.})
   {
     Squeezed at;
-    at.matrix.add_mass<2>(at.body.mass, -less * at.body.law->young_modulus() / at.body.mass.sum());
+    at.matrix.add_mass<2>(at.body.nodes.mass,
+                          -less * at.body.material.law->young_modulus() / at.body.nodes.mass.sum());
     const Eigen::MatrixXd A = at.dense(0.);
     const unsigned int n =
         (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().array() < 0.).count();

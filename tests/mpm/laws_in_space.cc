@@ -121,7 +121,7 @@ void hit(const std::string &speed, const std::string &cfl_multiple)
   MovingBalls through(text_of(1, true), changes);
   through.run(end - 20., [](const StepReport &) {});
   through.run(end, [](const StepReport &) {});
-  const bool same = rest.state().bodies[0].velocity == through.state().bodies[0].velocity &&
+  const bool same = rest.state().bodies[0].nodes.velocity == through.state().bodies[0].nodes.velocity &&
                     rest.model->energies().dissipated == through.model->energies().dissipated &&
                     rest.model->snapshot().points.stress == through.model->snapshot().points.stress;
   std::cout << "hits a wall at " << speed << ", steps of " << cfl_multiple << " CFL: comes back with "

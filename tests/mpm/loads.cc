@@ -46,7 +46,7 @@ end
 
 dealii::Tensor<1, 2> velocity(const mpm::MpmModel &model)
 {
-  return model.bodies()[0].momentum() / model.bodies()[0].mass.sum();
+  return model.bodies()[0].nodes.momentum() / model.bodies()[0].nodes.mass.sum();
 }
 
 double work_of(const std::vector<std::pair<std::string, double>> &works, const std::string &name)
@@ -79,7 +79,7 @@ Errors errors(mpm::MpmModel &model,
               ++steps;
               watch.look(model);
             });
-  const double mass = model.bodies()[0].mass.sum();
+  const double mass = model.bodies()[0].nodes.mass.sum();
   e.way = (model.bodies()[0].center() - place).norm();
   e.speed = (velocity(model) - speed).norm();
   e.work = work_of(model.works(), load) / mass - work_per_mass;
@@ -143,7 +143,7 @@ double dragged_in_space(const std::string &dt)
   MovingBalls ball(text_of(1, false),
                    {"Loads/Drag/Rate=0.1", "Loads/Drag/Velocity=0; 0.2; 0", "Bodies/a/Velocity=0.1; 0; 0.3",
                     "Time/Theta=0.5", "Time/Time step=" + dt});
-  const double before = ball.total_energy(), mass = ball.state().bodies[0].mass.sum();
+  const double before = ball.total_energy(), mass = ball.state().bodies[0].nodes.mass.sum();
   ball.run(10., [](const StepReport &) {});
   const double left = std::exp(-1.);
   const dealii::Tensor<1, 3> expected({0.1 * left, 0.2 * (1. - left), 0.3 * left});

@@ -52,13 +52,13 @@ struct MovingBalls
 
   dealii::Tensor<1, 3> velocity(const unsigned int b) const
   {
-    return state().bodies[b].momentum() / state().bodies[b].mass.sum();
+    return state().bodies[b].nodes.momentum() / state().bodies[b].nodes.mass.sum();
   }
   dealii::Tensor<1, 3> momentum() const
   {
     dealii::Tensor<1, 3> sum;
     for (const Body<3> &body : state().bodies)
-      sum += body.momentum();
+      sum += body.nodes.momentum();
     return sum;
   }
   /// Of a body about its centre.
@@ -78,11 +78,11 @@ struct MovingBalls
   static dealii::Tensor<1, 3> turning(const Body<3> &body, const dealii::Point<3> &about)
   {
     dealii::Tensor<1, 3> sum;
-    for (unsigned int i = 0; i < body.mass.size(); ++i)
+    for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
     {
-      const dealii::Tensor<1, 3> arm = body.field.position(body.field.node_of_independent(i)) +
-                                       PlaceFunctions<3>::of_node(body.displacement, i) - about;
-      sum += body.mass[i] * cross_product_3d(arm, PlaceFunctions<3>::of_node(body.velocity, i));
+      const dealii::Tensor<1, 3> arm =
+          body.field.place(i) + PlaceFunctions<3>::of_node(body.nodes.displacement, i) - about;
+      sum += body.nodes.mass[i] * cross_product_3d(arm, PlaceFunctions<3>::of_node(body.nodes.velocity, i));
     }
     return sum;
   }

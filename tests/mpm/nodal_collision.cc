@@ -31,7 +31,7 @@ Result collide(const std::string &scheme, const ContactCoupling coupling)
     body.name = name;
     body.center = dealii::Point<2>(x, y);
     body.shape = std::make_shared<Disk2D>(body.center, radius);
-    body.velocity = velocity;
+    body.nodes.velocity = velocity;
     scene.bodies.push_back(body);
   };
   disk("left", -0.004, 0., 0.004, "5; 0");
@@ -62,7 +62,7 @@ Result collide(const std::string &scheme, const ContactCoupling coupling)
     result.momentum_error = std::max(result.momentum_error, model.momentum_error());
     result.created = std::max(result.created, (now.kinetic + now.elastic + now.dissipated) / start - 1.);
   }
-  result.velocity = model.bodies()[1].momentum() / model.bodies()[1].mass.sum();
+  result.velocity = model.bodies()[1].nodes.momentum() / model.bodies()[1].nodes.mass.sum();
   return result;
 }
 } // namespace

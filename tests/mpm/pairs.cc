@@ -63,7 +63,7 @@ end
 
 double speed(const mpm::MpmModel &model, const unsigned int body)
 {
-  return model.bodies()[body].momentum()[0] / model.bodies()[body].mass.sum();
+  return model.bodies()[body].nodes.momentum()[0] / model.bodies()[body].nodes.mass.sum();
 }
 
 /// Of all bodies down the plane, from 0.04 s to 0.08 s [m/s^2].

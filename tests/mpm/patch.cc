@@ -41,7 +41,7 @@ double condition(const mpm::MpmModel &model)
   mpm::StepState<2> at;
   mpm::evaluate_stress(body, zero, zero, {0., true, 0.}, at);
   mpm::add_stiffness(body, at, std::pow(20. * model.cfl_step(), 2), matrix);
-  matrix.add_mass<2>(body.mass, 1.);
+  matrix.add_mass<2>(body.nodes.mass, 1.);
   Eigen::MatrixXd A = Eigen::MatrixXd(matrix.lower()).selfadjointView<Eigen::Lower>();
   const Eigen::VectorXd scale = A.diagonal().cwiseSqrt().cwiseInverse();
   A = scale.asDiagonal() * A * scale.asDiagonal();

@@ -29,12 +29,10 @@ Tensor diagonal(const double across, const double along)
 double go_to(Ball &ball, const Tensor &F, const double dt)
 {
   mpm::Body<3> &body = ball.body;
-  Eigen::VectorXd to(body.displacement.size());
+  Eigen::VectorXd to(body.nodes.displacement.size());
   for (unsigned int i = 0; i < body.field.n_independent(); ++i)
   {
-    const dealii::Tensor<1, 3> arm = body.field.position(body.field.node_of_independent(i)) -
-                                     ball.sphere.center,
-                               u = F * arm - arm;
+    const dealii::Tensor<1, 3> arm = body.field.place(i) - ball.sphere.center, u = F * arm - arm;
     for (unsigned int d = 0; d < 3; ++d)
       to[3 * i + d] = u[d];
   }
@@ -42,11 +40,11 @@ double go_to(Ball &ball, const Tensor &F, const double dt)
   mpm::Trial trial;
   trial.tangent = true;
   trial.dt = dt;
-  if (!mpm::evaluate_stress(body, to, Eigen::VectorXd(to - body.displacement), trial, points).good())
+  if (!mpm::evaluate_stress(body, to, Eigen::VectorXd(to - body.nodes.displacement), trial, points).good())
     std::cout << "refused\n";
   const mpm::WorkOfLaw work = mpm::keep_points(points, body);
-  body.displacement = to;
-  return work.loss / body.rest_area;
+  body.nodes.displacement = to;
+  return work.loss / body.rest.area;
 }
 
 /// The largest relative distance of what @p value finds in all points from what is expected.

@@ -59,8 +59,9 @@ double difference(const mpm::MpmModel &a, const mpm::MpmModel &b)
   double worst = 0., largest = 0.;
   for (unsigned int i = 0; i < a.bodies().size(); ++i)
   {
-    worst = std::max(worst, (a.bodies()[i].velocity - b.bodies()[i].velocity).lpNorm<Eigen::Infinity>());
-    largest = std::max(largest, a.bodies()[i].velocity.lpNorm<Eigen::Infinity>());
+    worst = std::max(worst,
+                     (a.bodies()[i].nodes.velocity - b.bodies()[i].nodes.velocity).lpNorm<Eigen::Infinity>());
+    largest = std::max(largest, a.bodies()[i].nodes.velocity.lpNorm<Eigen::Infinity>());
   }
   return worst / largest;
 }

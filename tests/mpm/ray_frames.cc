@@ -119,7 +119,7 @@ int main()
   scene.lines = &obstacles;
   Vectors start;
   for (const Body<2> &body : bodies)
-    start.push_back(body.displacement);
+    start.push_back(body.nodes.displacement);
   for (const ContactFrame<2> &frame : find_frames(scene, {}))
   {
     const std::string partner = scene.line_of(frame) != nullptr          ? "obstacle"

@@ -119,7 +119,7 @@ public:
       }
     for (unsigned int i = 0; i < field.n_independent(); ++i)
     {
-      const auto arm = field.position(field.node_of_independent(i)) - center();
+      const auto arm = field.place(i) - center();
       for (unsigned int d = 0; d < dim; ++d)
         result[dim * i + d] = size * (strain[d] * arm + std::sin(wave[d] * arm));
     }

@@ -61,7 +61,7 @@ public:
     const mpm::NodeWeights weights = field.weights_at(x);
     double sum = 0.;
     for (unsigned int k = 0; k < weights.node.size(); ++k)
-      sum += weights.weight[k] * f(field.position(field.node_of_independent(weights.node[k])));
+      sum += weights.weight[k] * f(field.place(weights.node[k]));
     return sum;
   }
 
@@ -97,8 +97,8 @@ void check_field(const std::string &name)
     after[d] += 1e-9;
     torn = std::max(torn, std::abs(block.value(after, wave) - block.value(before, wave)));
   }
-  const unsigned int hanging = block.field.n_nodes() - block.field.n_independent();
-  std::cout << name << ' ' << dim << "d: hanging nodes " << hanging << " of " << block.field.n_nodes()
+  const unsigned int hanging = block.field.nodes().n() - block.field.n_independent();
+  std::cout << name << ' ' << dim << "d: hanging nodes " << hanging << " of " << block.field.nodes().n()
             << ", polynomials " << below(1e-12, wrong) << ", jumps " << below(1e-6, torn) << '\n';
 }
 

@@ -105,7 +105,7 @@ std::string state(const mpm::MpmModel &model)
   std::ostringstream text;
   text << std::hexfloat << model.time();
   for (const auto &body : model.bodies())
-    text << ' ' << body.velocity.sum() << ' ' << body.displacement.squaredNorm();
+    text << ' ' << body.nodes.velocity.sum() << ' ' << body.nodes.displacement.squaredNorm();
   for (const auto &wall : model.walls())
     text << ' ' << wall.position << ' ' << wall.velocity << ' ' << wall.normal_force;
   return text.str();

@@ -28,14 +28,14 @@ Rolling roll(const std::vector<std::string> &changes, const double end, const Un
              const Body<3> &body = ball.state().bodies[0];
              const double share = report.dt / (0.5 * end), v = ball.velocity(0)[0];
              double inertia = 0.;
-             for (unsigned int i = 0; i < body.mass.size(); ++i)
+             for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
              {
-               const dealii::Tensor<1, 3> arm = body.field.position(body.field.node_of_independent(i)) +
-                                                PlaceFunctions<3>::of_node(body.displacement, i) -
+               const dealii::Tensor<1, 3> arm = body.field.place(i) +
+                                                PlaceFunctions<3>::of_node(body.nodes.displacement, i) -
                                                 body.center();
-               inertia += body.mass[i] * (arm[0] * arm[0] + arm[2] * arm[2]);
+               inertia += body.nodes.mass[i] * (arm[0] * arm[0] + arm[2] * arm[2]);
              }
-             rolling.inertia = inertia / (body.mass.sum() * radius * radius);
+             rolling.inertia = inertia / (body.nodes.mass.sum() * radius * radius);
              if (ball.model->time() < 0.5 * end * (1. + 1e-9))
                return;
              rolling.velocity += share * v / unit(ball.model->time());

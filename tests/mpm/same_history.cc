@@ -23,7 +23,7 @@ std::string state(const mpm::MpmModel &model, const StepReport &report)
        << ' ' << model.energies().elastic << ' ' << model.energies().dissipated << ' '
        << model.energies().external_work << ' ' << model.momentum_error();
   for (const auto &body : model.bodies())
-    text << ' ' << body.velocity.sum() << ' ' << body.displacement.squaredNorm();
+    text << ' ' << body.nodes.velocity.sum() << ' ' << body.nodes.displacement.squaredNorm();
   for (const auto &wall : model.walls())
     text << ' ' << wall.normal_force << ' ' << wall.tangential_force;
   return text.str() + '\n';

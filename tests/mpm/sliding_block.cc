@@ -11,7 +11,7 @@ namespace
 double speed(const mpm::MpmModel &model)
 {
   const auto &body = model.bodies()[0];
-  return body.momentum()[0] / body.mass.sum();
+  return body.nodes.momentum()[0] / body.nodes.mass.sum();
 }
 
 void slide(const double ratio, const std::string &mu, const double begin)
@@ -36,8 +36,8 @@ void slide(const double ratio, const std::string &mu, const double begin)
   else
     std::cout << "acceleration over the exact " << acceleration / exact;
   std::cout << ", T/N of the wall " << wall.tangential_force / wall.normal_force << ", N over the weight "
-            << wall.normal_force / (10. * std::cos(angle) * model->bodies()[0].mass.sum()) << ", momentum "
-            << below(1e-10, model->momentum_error()) << '\n';
+            << wall.normal_force / (10. * std::cos(angle) * model->bodies()[0].nodes.mass.sum())
+            << ", momentum " << below(1e-10, model->momentum_error()) << '\n';
 }
 } // namespace
 

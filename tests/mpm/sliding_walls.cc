@@ -38,8 +38,8 @@ void on_a_belt()
   const double before = ball.total_energy();
   ball.run(60., [](const StepReport &) {});
   const Body<3> &body = ball.state().bodies[0];
-  const dealii::Tensor<1, 3> given = body.momentum();
-  const double borne = given[2] + body.mass.sum() * gravity * ball.model->time();
+  const dealii::Tensor<1, 3> given = body.nodes.momentum();
+  const double borne = given[2] + body.nodes.mass.sum() * gravity * ball.model->time();
   std::cout << "on a belt: velocity over that of the belt " << ball.velocity(0)[0] / speed
             << ", friction over what is borne " << given[0] / borne / friction << ", aside "
             << below(0.02, given[1] / given[0]) << ", energy "

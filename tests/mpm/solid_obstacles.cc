@@ -128,7 +128,7 @@ void on_a_plate_that_turns()
              turned = plate.angle;
            });
   const dealii::Tensor<1, 3> given = ball.momentum();
-  const double borne = given[2] + ball.state().bodies[0].mass.sum() * 1e-4 * ball.model->time();
+  const double borne = given[2] + ball.state().bodies[0].nodes.mass.sum() * 1e-4 * ball.model->time();
   std::cout << "on a plate that turns: friction over what it bears " << given[1] / borne / friction
             << ", work over torque times angle " << ball.model->energies().external_work / torque_by_angle
             << ", energy " << below(1e-2, (ball.total_energy() - before) / ball.model->energies().kinetic)

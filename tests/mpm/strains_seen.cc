@@ -18,14 +18,15 @@ std::vector<Tensor> own_gradients(const mpm::Body<2> &body)
 {
   std::vector<Tensor> result(body.n_points);
   Eigen::VectorXd u;
-  body.field.prolongate(body.displacement, u);
+  body.field.extension().prolongate(body.nodes.displacement, u);
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
     Tensor gradient({{1., 0.}, {0., 1.}});
-    for (unsigned int k = 0; k < body.field.nodes_per_cell(); ++k)
+    for (unsigned int k = 0; k < body.field.cells().nodes_per_cell(); ++k)
     {
-      const unsigned int i = body.field.point_nodes(p)[k];
-      gradient += outer_product(dealii::Tensor<1, 2>({u[2 * i], u[2 * i + 1]}), body.field.slopes(p)[k]);
+      const unsigned int i = body.field.at_point(p).nodes[k];
+      gradient +=
+          outer_product(dealii::Tensor<1, 2>({u[2 * i], u[2 * i + 1]}), body.field.at_point(p).slopes[k]);
     }
     result[body.points.number(p)] = gradient * Tensor(body.points[p].gradient());
   }

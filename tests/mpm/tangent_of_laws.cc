@@ -94,7 +94,7 @@ void check(const std::string &shape, const OfLaw &law, const std::string &f_bar)
     flowed += dissipated != 0.;
   std::cout << shape << ' ' << law.name << " F-bar " << f_bar << ": stiffness "
             << below(1e-6, (Kd - slope).norm() / slope.norm());
-  if (body.law->n_history() > 0)
+  if (body.material.law->n_history() > 0)
     std::cout << ", points that dissipate " << (flowed > 0.5 * body.points.size() ? "more" : "less")
               << " than half";
   std::cout << '\n';

@@ -15,7 +15,7 @@ std::string state(const mpm::MpmModel &model)
   std::ostringstream text;
   text << std::hexfloat << model.time();
   for (const auto &body : model.bodies())
-    text << ' ' << body.displacement.sum() << ' ' << body.displacement.squaredNorm();
+    text << ' ' << body.nodes.displacement.sum() << ' ' << body.nodes.displacement.squaredNorm();
   return text.str();
 }
 

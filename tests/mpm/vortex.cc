@@ -21,7 +21,7 @@ double error_of(const std::vector<std::string> &changes, const double end)
   double sum = 0., area = 0., largest = 0.;
   for (unsigned int p = 0; p < now.points.position.size(); ++p)
   {
-    const dealii::Point<2> X = body.rest_position[p];
+    const dealii::Point<2> X = body.rest.position[p];
     const double R = X.norm(), s = R - 1.;
     const double angle =
         0.25 * (1. - std::cos(2. * dealii::numbers::PI * end)) * (1. - 32. * s * s + 256. * s * s * s * s);

@@ -41,16 +41,16 @@ void make_points(Body<2> &body, const BodyDescription<2> &description, const Bui
     WritablePoint<2> point = store(store.add(generated.position[p], body.index));
     const double volume = generated.volume[p];
     point.rest_volume() = volume;
-    point.mass() = body.density * volume;
+    point.mass() = body.material.density * volume;
     point.half_extent() = 0.5 * std::sqrt(volume);
     if (store.layout().has(PointSlot::volume))
       point.volume() = volume;
     point.gradient() = dealii::Tensor<2, 2>({{1., 0.}, {0., 1.}});
-    if (body.law->n_history() > 0)
-      body.law->initial_history(point.history());
-    body.rest_area += volume;
+    if (body.material.law->n_history() > 0)
+      body.material.law->initial_history(point.history());
+    body.rest.area += volume;
     if (body.loads.look_at_points())
-      body.rest_position.push_back(point.position());
+      body.rest.position.push_back(point.position());
   }
   body.n_points = n;
 }
@@ -121,10 +121,10 @@ Body<2> make_body(const BodyDescription<2> &description,
   Body<2> body;
   body.name = description.name;
   body.index = index;
-  body.law = std::move(law);
-  body.density = density;
-  body.driven = description.driven;
-  body.averaged = context.settings.averaged_dilatation(body.law->poisson_ratio());
+  body.material.law = std::move(law);
+  body.material.density = density;
+  body.rigid.driven = description.driven;
+  body.material.averaged = context.settings.averaged_dilatation(body.material.law->poisson_ratio());
   body.levels = std::move(levels);
   make_boundary(body, description, context);
   of_body(description,
@@ -157,31 +157,30 @@ void start_body(Body<2> &body, const BodyDescription<2> &description, const Buil
       v[d] += formulas[d]({x[0], x[1]});
     return v;
   };
-  if (body.driven)
+  if (body.rigid.driven)
   {
-    body.drive = velocity_at(description.center);
+    body.rigid.drive = velocity_at(description.center);
     if (description.angular_velocity != 0.)
       throw InputError("'Bodies/" + description.name +
                        "/Angular velocity' is not allowed for a driven body: it moves without turning");
   }
-  for (unsigned int i = 0; body.velocity.size() > 0 && i < body.field.n_independent(); ++i)
+  for (unsigned int i = 0; body.nodes.velocity.size() > 0 && i < body.field.n_independent(); ++i)
   {
-    const auto v =
-        body.driven ? body.drive : velocity_at(body.field.position(body.field.node_of_independent(i)));
+    const auto v = body.rigid.driven ? body.rigid.drive : velocity_at(body.field.place(i));
     for (unsigned int d = 0; d < 2; ++d)
-      body.velocity[2 * i + d] = v[d];
+      body.nodes.velocity[2 * i + d] = v[d];
   }
-  body.velocity_of_points = body.velocity;
+  body.nodes.velocity_of_points = body.nodes.velocity;
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
     auto point = body.points[p];
     if (body.points.layout().has(PointSlot::velocity))
-      point.velocity() = body.driven ? body.drive : velocity_at(point.position());
+      point.velocity() = body.rigid.driven ? body.rigid.drive : velocity_at(point.position());
     if (body.points.layout().has(PointSlot::affine))
       point.affine() =
           dealii::Tensor<2, 2>({{0., -description.angular_velocity}, {description.angular_velocity, 0.}});
   }
-  body.internal_force = Eigen::VectorXd::Zero(body.field.n_dofs());
+  body.nodes.internal_force = Eigen::VectorXd::Zero(body.field.n_dofs());
 }
 
 BodyDescription<2> wall_slab(const WallDescription<2> &wall, const BuildContext &context)

@@ -27,7 +27,7 @@ class AffineMomentum
 {
 public:
   explicit AffineMomentum(const BodyField<2> &field)
-      : field(field), origin(field.position(0)), sum{{zero(field), zero(field)}}
+      : field(field), origin(field.nodes().position(0)), sum{{zero(field), zero(field)}}
   {
   }
 
@@ -48,17 +48,16 @@ public:
     Eigen::VectorXd restricted;
     for (unsigned int e = 0; e < 2; ++e)
     {
-      field.restrict(sum[e], restricted);
+      field.extension().restrict(sum[e], restricted);
       for (unsigned int i = 0; i < field.n_independent(); ++i)
-        momentum.segment<2>(2 * i) +=
-            (field.position(field.node_of_independent(i)) - origin)[e] * restricted.segment<2>(2 * i);
+        momentum.segment<2>(2 * i) += (field.place(i) - origin)[e] * restricted.segment<2>(2 * i);
     }
   }
 
 private:
   static Eigen::VectorXd zero(const BodyField<2> &field)
   {
-    return Eigen::VectorXd::Zero(2 * field.n_nodes());
+    return Eigen::VectorXd::Zero(2 * field.nodes().n());
   }
 
   const BodyField<2> &field;
@@ -73,9 +72,9 @@ bool points_to_nodes(Body<2> &body, const bool positive)
   const BodyField<2> &field = body.field;
   const bool moving = body.points.layout().has(PointSlot::velocity),
              affine = moving && body.points.layout().has(PointSlot::affine);
-  const unsigned int n = field.nodes_per_cell();
-  std::vector<double> mass(field.n_nodes(), 0.);
-  Eigen::VectorXd momentum = Eigen::VectorXd::Zero(2 * field.n_nodes());
+  const unsigned int n = field.cells().nodes_per_cell();
+  std::vector<double> mass(field.nodes().n(), 0.);
+  Eigen::VectorXd momentum = Eigen::VectorXd::Zero(2 * field.nodes().n());
   std::optional<AffineMomentum> of_matrices;
   if (affine)
     of_matrices.emplace(field);
@@ -84,8 +83,8 @@ bool points_to_nodes(Body<2> &body, const bool positive)
     const auto point = body.points[p];
     for (unsigned int k = 0; k < n; ++k)
     {
-      const unsigned int i = field.point_nodes(p)[k];
-      const double m = point.mass() * field.values(p)[k];
+      const unsigned int i = field.at_point(p).nodes[k];
+      const double m = point.mass() * field.at_point(p).values[k];
       mass[i] += m;
       dealii::Tensor<1, 2> v;
       if (moving)
@@ -96,16 +95,17 @@ bool points_to_nodes(Body<2> &body, const bool positive)
         momentum[2 * i + d] += m * v[d];
     }
   }
-  body.mass = field.restrict_scalar(mass);
-  if (body.mass.size() == 0 || !((positive ? body.mass.minCoeff() : body.mass.cwiseAbs().minCoeff()) > 0.))
+  body.nodes.mass = field.extension().restrict_scalar(mass);
+  if (body.nodes.mass.size() == 0 ||
+      !((positive ? body.nodes.mass.minCoeff() : body.nodes.mass.cwiseAbs().minCoeff()) > 0.))
     return false;
   if (moving)
   {
-    field.restrict(momentum, body.velocity);
+    field.extension().restrict(momentum, body.nodes.velocity);
     if (affine)
-      of_matrices->add_to(body.velocity);
-    for (unsigned int i = 0; i < body.mass.size(); ++i)
-      body.velocity.segment<2>(2 * i) /= body.mass[i];
+      of_matrices->add_to(body.nodes.velocity);
+    for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
+      body.nodes.velocity.segment<2>(2 * i) /= body.nodes.mass[i];
   }
   return true;
 }
@@ -121,7 +121,8 @@ void lay_grid(Body<2> &body, const BuildContext &context)
     const auto point = body.points[p];
     position[p] = point.position();
     half_extent[p] = point.half_extent();
-    volume[p] = body.small_strain() ? point.volume() : point.rest_volume() * determinant(point.gradient());
+    volume[p] =
+        body.material.small_strain() ? point.volume() : point.rest_volume() * determinant(point.gradient());
   }
   // Extrapolation has negative weights, and a node between several poorly filled cells may be left with a
   // negative mass. Then some of these cells have to count as well filled; at last all that hold points do,
@@ -137,22 +138,22 @@ void lay_grid(Body<2> &body, const BuildContext &context)
       throw ComputationError("body '" + body.name +
                              "': a node has no positive mass; refine 'Mesh/Cell size'");
   }
-  body.displacement = Eigen::VectorXd::Zero(body.field.n_dofs());
-  body.velocity_of_points = body.velocity;
-  body.kept.resize(0);
+  body.nodes.displacement = Eigen::VectorXd::Zero(body.field.n_dofs());
+  body.nodes.velocity_of_points = body.nodes.velocity;
+  body.nodes.kept.resize(0);
 }
 
 std::vector<dealii::Point<2>> places_reached(const Body<2> &body, const Lattice<2> &lattice)
 {
   Eigen::VectorXd u;
-  body.field.prolongate(body.displacement, u);
+  body.field.extension().prolongate(body.nodes.displacement, u);
   std::vector<dealii::Point<2>> places(body.points.size());
   for (unsigned int p = 0; p < places.size(); ++p)
   {
     places[p] = body.points[p].position();
-    for (unsigned int k = 0; k < body.field.nodes_per_cell(); ++k)
+    for (unsigned int k = 0; k < body.field.cells().nodes_per_cell(); ++k)
       for (unsigned int d = 0; d < 2; ++d)
-        places[p][d] += body.field.values(p)[k] * u[2 * body.field.point_nodes(p)[k] + d];
+        places[p][d] += body.field.at_point(p).values[k] * u[2 * body.field.at_point(p).nodes[k] + d];
     lattice.check_inside(places[p], "material point of body '" + body.name + "'");
   }
   return places;
@@ -173,20 +174,20 @@ void leave_grid(Body<2> &body,
   const bool moving = body.points.layout().has(PointSlot::velocity),
              affine = moving && body.points.layout().has(PointSlot::affine);
   const double pic = context.settings.pic_fraction, h = context.lattice.cell_size();
-  const unsigned int n = field.nodes_per_cell();
+  const unsigned int n = field.cells().nodes_per_cell();
   Eigen::VectorXd u, v, before;
-  field.prolongate(body.displacement, u);
+  field.extension().prolongate(body.nodes.displacement, u);
   if (moving)
   {
-    field.prolongate(body.velocity, v);
-    field.prolongate(body.velocity_of_points, before);
+    field.extension().prolongate(body.nodes.velocity, v);
+    field.extension().prolongate(body.nodes.velocity_of_points, before);
   }
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
     auto point = body.points[p];
-    const unsigned int *nodes = field.point_nodes(p);
-    const double *value = field.values(p);
-    const auto *slope = field.slopes(p);
+    const unsigned int *nodes = field.at_point(p).nodes;
+    const double *value = field.at_point(p).values;
+    const auto *slope = field.at_point(p).slopes;
     dealii::Tensor<1, 2> interpolated, increment;
     dealii::Tensor<2, 2> gradient = unit(), rate, moment, spread;
     for (unsigned int k = 0; k < n; ++k)
@@ -197,7 +198,7 @@ void leave_grid(Body<2> &body,
         continue;
       const dealii::Tensor<1, 2> vk({v[2 * nodes[k]], v[2 * nodes[k] + 1]}),
           bk({before[2 * nodes[k]], before[2 * nodes[k] + 1]});
-      const dealii::Tensor<1, 2> arm = field.position(nodes[k]) - point.position();
+      const dealii::Tensor<1, 2> arm = field.nodes().position(nodes[k]) - point.position();
       interpolated += value[k] * vk;
       increment += value[k] * (vk - bk);
       rate += outer_product(vk, slope[k]);
@@ -206,7 +207,7 @@ void leave_grid(Body<2> &body,
     }
     point.move_to(context.lattice.off_faces(places[p]));
     point.gradient() = gradient * point.gradient();
-    if (body.small_strain() && !body.driven) // what is driven is never stressed
+    if (body.material.small_strain() && !body.rigid.driven) // what is driven is never stressed
       point.volume() = s.volume[p];
     if (moving)
       point.velocity() = pic * interpolated + (1. - pic) * (point.velocity() + increment);
@@ -226,7 +227,7 @@ template <int dim>
 void move_boundary(Body<dim> &body)
 {
   for (unsigned int m = 0; m < body.boundary.position.size(); ++m)
-    body.boundary.position[m] = body.boundary.grid_position[m] + at_marker(body, m, body.displacement);
+    body.boundary.position[m] = body.boundary.grid_position[m] + at_marker(body, m, body.nodes.displacement);
 }
 
 template void move_boundary(Body<2> &);

@@ -14,7 +14,7 @@ void BodyShare::Message::add(const std::vector<Body<2>> &bodies, std::vector<Eig
   if (share.alone())
     return;
   for (const Body<2> &body : bodies)
-    if (!body.driven)
+    if (!body.rigid.driven)
     {
       Eigen::VectorXd &vector = vectors[body.index];
       if (vector.size() != body.field.n_dofs())

@@ -16,7 +16,7 @@ void tell(const Body<3> &body, std::vector<double> &numbers)
     const auto point = body.points[p];
     for (unsigned int i = 0; i < n_stress; ++i)
       numbers.push_back(point.stress().access_raw_entry(i));
-    numbers.insert(numbers.end(), point.history(), point.history() + body.law->n_history());
+    numbers.insert(numbers.end(), point.history(), point.history() + body.material.law->n_history());
   }
 }
 
@@ -27,8 +27,8 @@ const double *take(const double *at, Body<3> &body)
     auto point = body.points[p];
     for (unsigned int i = 0; i < n_stress; ++i)
       point.stress().access_raw_entry(i) = *at++;
-    std::copy_n(at, body.law->n_history(), point.history());
-    at += body.law->n_history();
+    std::copy_n(at, body.material.law->n_history(), point.history());
+    at += body.material.law->n_history();
   }
   return at;
 }
@@ -36,7 +36,7 @@ const double *take(const double *at, Body<3> &body)
 
 bool remembers(const Body<3> &body)
 {
-  return body.law->n_history() > 0;
+  return body.material.law->n_history() > 0;
 }
 
 std::vector<double> remembered_by_points(const std::vector<Body<3>> &bodies)

@@ -145,14 +145,14 @@ void make_points(Body<3> &body,
     WritablePoint<3> point = store(store.add(generated.position[p], body.index));
     const double volume = generated.volume[p];
     point.rest_volume() = volume;
-    point.mass() = body.density * volume;
+    point.mass() = body.material.density * volume;
     point.half_extent() = 0.5 * std::cbrt(volume);
     if (store.layout().has(PointSlot::volume))
       point.volume() = volume;
     point.gradient() = dealii::unit_symmetric_tensor<3>();
-    if (body.law->n_history() > 0)
-      body.law->initial_history(point.history());
-    body.rest_area += volume;
+    if (body.material.law->n_history() > 0)
+      body.material.law->initial_history(point.history());
+    body.rest.area += volume;
   }
   body.n_points = generated.position.size();
   body.points.renew(store.handler().get_property_pool(), store.by_body({nullptr})[0]);
@@ -185,13 +185,13 @@ void lay_grid(Body<3> &body,
     half_extent.push_back(point.half_extent());
   }
   body.field.build(lattice, function, {position, volume, half_extent, markers}, fill_limit);
-  std::vector<double> mass(body.field.n_nodes(), 0.);
+  std::vector<double> mass(body.field.nodes().n(), 0.);
   for (unsigned int p = 0; p < body.points.size(); ++p)
-    for (unsigned int k = 0; k < body.field.nodes_per_cell(); ++k)
-      mass[body.field.point_nodes(p)[k]] += body.points[p].mass() * body.field.values(p)[k];
-  body.mass = body.field.restrict_scalar(mass);
-  body.displacement = Eigen::VectorXd::Zero(body.field.n_dofs());
-  body.internal_force = body.displacement;
+    for (unsigned int k = 0; k < body.field.cells().nodes_per_cell(); ++k)
+      mass[body.field.at_point(p).nodes[k]] += body.points[p].mass() * body.field.at_point(p).values[k];
+  body.nodes.mass = body.field.extension().restrict_scalar(mass);
+  body.nodes.displacement = Eigen::VectorXd::Zero(body.field.n_dofs());
+  body.nodes.internal_force = body.nodes.displacement;
 }
 } // namespace
 
@@ -207,9 +207,9 @@ Body<3> make_solid(const std::string &name,
 {
   Body<3> body;
   body.name = name;
-  body.law = std::move(law);
-  body.density = density;
-  body.averaged = settings.averaged_dilatation(body.law->poisson_ratio());
+  body.material.law = std::move(law);
+  body.material.density = density;
+  body.material.averaged = settings.averaged_dilatation(body.material.law->poisson_ratio());
   try
   {
     for (const Place &x : markers)

@@ -24,9 +24,9 @@ public:
 
 std::vector<double> tell_grid(const Body<2> &body)
 {
-  std::vector<double> numbers = {static_cast<double>(body.n_points), body.rest_area};
+  std::vector<double> numbers = {static_cast<double>(body.n_points), body.rest.area};
   body.field.tell(numbers);
-  for (const Eigen::VectorXd *const vector : {&body.mass, &body.velocity})
+  for (const Eigen::VectorXd *const vector : {&body.nodes.mass, &body.nodes.velocity})
   {
     numbers.push_back(vector->size());
     numbers.insert(numbers.end(), vector->data(), vector->data() + vector->size());
@@ -41,13 +41,13 @@ void take_grid(const std::vector<double> &numbers,
 {
   Reader in(numbers);
   body.n_points = in.count();
-  body.rest_area = in.number();
+  body.rest.area = in.number();
   in.at = body.field.take(lattice, shape, body.levels.get(), in.at);
-  for (Eigen::VectorXd *const vector : {&body.mass, &body.velocity})
+  for (Eigen::VectorXd *const vector : {&body.nodes.mass, &body.nodes.velocity})
     in.take(*vector, in.count());
-  body.displacement = Eigen::VectorXd::Zero(body.field.n_dofs());
-  body.velocity_of_points = body.velocity;
-  body.kept.resize(0);
-  body.internal_force = body.displacement;
+  body.nodes.displacement = Eigen::VectorXd::Zero(body.field.n_dofs());
+  body.nodes.velocity_of_points = body.nodes.velocity;
+  body.nodes.kept.resize(0);
+  body.nodes.internal_force = body.nodes.displacement;
 }
 } // namespace softgrain::mpm

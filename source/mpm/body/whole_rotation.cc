@@ -17,15 +17,15 @@ std::vector<dealii::Point<dim>>
 places(const Body<dim> &body, const Eigen::VectorXd &displacement, dealii::Point<dim> &center)
 {
   dealii::Tensor<1, dim> moment;
-  std::vector<dealii::Point<dim>> place(body.mass.size());
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  std::vector<dealii::Point<dim>> place(body.nodes.mass.size());
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
   {
-    place[i] = body.field.position(body.field.node_of_independent(i));
+    place[i] = body.field.place(i);
     for (unsigned int d = 0; d < dim; ++d)
       place[i][d] += displacement[dim * i + d];
-    moment += body.mass[i] * (place[i] - dealii::Point<dim>());
+    moment += body.nodes.mass[i] * (place[i] - dealii::Point<dim>());
   }
-  center = dealii::Point<dim>(moment / body.mass.sum());
+  center = dealii::Point<dim>(moment / body.nodes.mass.sum());
   return place;
 }
 
@@ -39,15 +39,15 @@ moment_of_masses(const Body<dim> &body, const Eigen::VectorXd &displacement, Tur
   const std::vector<dealii::Point<dim>> place = places(body, displacement, center);
   WholeRotation<dim> moment = WholeRotation<dim>::Zero(body.field.n_dofs(), n_turns<dim>);
   inertia.setZero();
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
   {
     const dealii::Tensor<1, dim> arm = place[i] - center;
     for (int axis = 0; axis < n_turns<dim>; ++axis)
     {
       const unsigned int from = dim == 2 ? 0 : (axis + 1) % 3, to = dim == 2 ? 1 : (axis + 2) % 3;
-      moment(dim * i + from, axis) = -body.mass[i] * arm[to];
-      moment(dim * i + to, axis) = body.mass[i] * arm[from];
-      inertia[axis] += body.mass[i] * (arm[from] * arm[from] + arm[to] * arm[to]);
+      moment(dim * i + from, axis) = -body.nodes.mass[i] * arm[to];
+      moment(dim * i + to, axis) = body.nodes.mass[i] * arm[from];
+      inertia[axis] += body.nodes.mass[i] * (arm[from] * arm[from] + arm[to] * arm[to]);
     }
   }
   return moment;
@@ -65,7 +65,7 @@ template <int dim>
 WholeRotation<dim> whole_rotation(const Body<dim> &body)
 {
   Turn<dim> inertia;
-  WholeRotation<dim> rotation = moment_of_masses(body, body.displacement, inertia);
+  WholeRotation<dim> rotation = moment_of_masses(body, body.nodes.displacement, inertia);
   divide<dim>(rotation, inertia);
   return rotation;
 }
@@ -74,8 +74,8 @@ template <int dim>
 WholeRotation<dim> whole_rotation(const Body<dim> &body, const Eigen::VectorXd &way)
 {
   Turn<dim> inertia, on_the_way;
-  moment_of_masses(body, body.displacement, inertia);
-  WholeRotation<dim> rotation = moment_of_masses<dim>(body, body.displacement + way, on_the_way);
+  moment_of_masses(body, body.nodes.displacement, inertia);
+  WholeRotation<dim> rotation = moment_of_masses<dim>(body, body.nodes.displacement + way, on_the_way);
   divide<dim>(rotation, inertia);
   return rotation;
 }
@@ -85,8 +85,8 @@ double rotary_inertia(const Body<dim> &body, const Eigen::VectorXd &r)
 {
   // r is M w / I for the field w of a unit rotation, so that rᵀ M⁻¹ r = 1/I.
   double inverse = 0.;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    inverse += r.segment<dim>(dim * i).squaredNorm() / body.mass[i];
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
+    inverse += r.segment<dim>(dim * i).squaredNorm() / body.nodes.mass[i];
   return 1. / inverse;
 }
 
@@ -127,7 +127,7 @@ void turn_along_circles(const Body<2> &body,
   dealii::Point<2> center;
   const std::vector<dealii::Point<2>> place = places(body, from, center);
   const double along = std::cos(angle) - 1., across = std::sin(angle) - angle;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
   {
     const dealii::Tensor<1, 2> arm = place[i] - center;
     step[2 * i] += along * arm[0] - across * arm[1];
@@ -148,11 +148,11 @@ template <int dim>
 void spread_imbalance(const Body<dim> &body, const Eigen::VectorXd &impulse, Eigen::VectorXd &velocity)
 {
   dealii::Tensor<1, dim> sum;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
     for (unsigned int d = 0; d < dim; ++d)
       sum[d] += impulse[dim * i + d];
-  sum /= body.mass.sum();
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  sum /= body.nodes.mass.sum();
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
     for (unsigned int d = 0; d < dim; ++d)
       velocity[dim * i + d] += sum[d];
 }

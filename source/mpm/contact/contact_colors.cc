@@ -19,7 +19,7 @@ void ContactSystem<dim>::list_components(const std::vector<Body<dim>> &bodies)
     {
       if (b == ContactRow<dim>::none)
         return;
-      if (bodies[b].driven)
+      if (bodies[b].rigid.driven)
         rows_at_driven.push_back(r);
       else
         for (unsigned int c = 0; c < n_components(); ++c)
@@ -68,7 +68,7 @@ void ContactSystem<dim>::color_pairs(const std::vector<Body<dim>> &bodies)
       ++end;
     std::vector<unsigned int> pair;
     for (const unsigned int b : {rows[first].body, rows[first].partner})
-      if (b != ContactRow<dim>::none && !bodies[b].driven)
+      if (b != ContactRow<dim>::none && !bodies[b].rigid.driven)
         pair.push_back(b);
     for (unsigned int k = 0; k < free_walls.list.size(); ++k)
       if (rows[first].wall == free_walls.list[k].wall || free_walls.list[k].length > 0.)

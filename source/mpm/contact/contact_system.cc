@@ -210,9 +210,9 @@ void ContactSystem<dim>::lump(const std::vector<Body<dim>> &bodies, const double
     offset[b + 1] = offset[b] + bodies[b].field.n_dofs();
   std::vector<double> inverse_mass(offset.back(), 0.);
   for (unsigned int b = 0; b < bodies.size(); ++b)
-    if (!bodies[b].driven)
+    if (!bodies[b].rigid.driven)
       for (unsigned int i = 0; i < bodies[b].field.n_dofs(); ++i)
-        inverse_mass[offset[b] + i] = 1. / bodies[b].mass[i / dim];
+        inverse_mass[offset[b] + i] = 1. / bodies[b].nodes.mass[i / dim];
 
   std::vector<std::vector<std::pair<unsigned int, double>>> list(rows.size() * n_components());
   for (unsigned int b = 0; b < bodies.size(); ++b)

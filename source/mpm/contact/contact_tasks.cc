@@ -24,9 +24,9 @@ void share_out(const OutlineScene &scene,
                const PeriodicCell<2>::Image &image,
                std::vector<std::vector<ContactTask>> &tasks)
 {
-  if (!scene.bodies[a].driven)
+  if (!scene.bodies[a].rigid.driven)
     tasks[a].push_back({b, image});
-  else if (!scene.bodies[b].driven)
+  else if (!scene.bodies[b].rigid.driven)
     tasks[b].push_back({a, opposite(image)});
 }
 } // namespace

@@ -8,7 +8,7 @@ namespace softgrain::mpm
 template <int dim>
 void FrameState<dim>::find_pair(const FrameScene<dim> &scene)
 {
-  const unsigned int wall = frame.partner == none ? frame.wall : scene.bodies[frame.partner].wall;
+  const unsigned int wall = frame.partner == none ? frame.wall : scene.bodies[frame.partner].rigid.wall;
   const bool two_bodies = wall == none;
   if (scene.pairs != nullptr)
     friction = line != nullptr ? line->friction
@@ -58,7 +58,7 @@ void FrameState<dim>::hold_at(const FrameScene<dim> &scene,
       apart_by += sign(side) * carried[side];
       here.rub.hold[side] = scene.bodies[b].field.functions_at(place[side].position);
       if (unknown(side) != none && theta < 1.)
-        apart_by += sign(side) * scene.dt * here.rub.hold[side].at(scene.bodies[b].velocity);
+        apart_by += sign(side) * scene.dt * here.rub.hold[side].at(scene.bodies[b].nodes.velocity);
     }
   here.rub.known_slide = (1. - theta) * here.rub.along(apart_by);
 }

@@ -72,7 +72,7 @@ RaySide<dim> FrameLayout<dim>::meet_surface(const ContactFrame<dim> &frame,
   const unsigned int b = side == 0 ? frame.partner : frame.body;
   if (b == ContactFrame<dim>::none)
     return scene.line_of(frame)->meet(ray, 0., guess);
-  return meet(ray, scene.outlines[b], scene.bodies[b].field, scene.bodies[b].displacement, guess);
+  return meet(ray, scene.outlines[b], scene.bodies[b].field, scene.bodies[b].nodes.displacement, guess);
 }
 
 /// What the ray at the origin meets. @param place near where it does
@@ -243,8 +243,8 @@ void FrameLayout<dim>::note_dent(const Places &place, ContactFrame<dim> &frame) 
   {
     const unsigned int b = side == 0 ? frame.partner : frame.body;
     if (b != ContactFrame<dim>::none && SubgridLaw<dim>::is_round(scene.bodies[b]))
-      frame.log_full_width[1 - side] = scene.subgrid.log_full_width(scene.bodies[b].law->poisson_ratio(),
-                                                                    place[side].position, place[side].normal);
+      frame.log_full_width[1 - side] = scene.subgrid.log_full_width(
+          scene.bodies[b].material.law->poisson_ratio(), place[side].position, place[side].normal);
   }
 }
 

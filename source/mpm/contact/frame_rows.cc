@@ -42,8 +42,8 @@ ContactRow<2> row_of_ray(const FrameScene<2> &scene, const FrameState<2> &frame,
   row.wall = layout.wall;
   if (const RigidRays<2> *line = scene.line_of(frame.layout()))
     row.velocity_of_place = line->way_of(ray.side[0].place) / scene.dt;
-  if (layout.partner != FrameState<2>::none && scene.bodies[layout.partner].driven)
-    row.wall = scene.bodies[layout.partner].wall;
+  if (layout.partner != FrameState<2>::none && scene.bodies[layout.partner].rigid.driven)
+    row.wall = scene.bodies[layout.partner].rigid.wall;
   const dealii::Tensor<1, 2> resultant = frame.derivatives().resultant(k);
   const double length = resultant.norm();
   row.normal = resultant / length;

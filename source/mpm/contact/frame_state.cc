@@ -24,9 +24,9 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
     , theta(scene.instants.theta)
     , subgrid(scene.subgrid)
 {
-  young = scene.bodies[frame.body].law->young_modulus();
+  young = scene.bodies[frame.body].material.law->young_modulus();
   if (frame.partner != none)
-    young = std::min(young, scene.bodies[frame.partner].law->young_modulus());
+    young = std::min(young, scene.bodies[frame.partner].material.law->young_modulus());
   if constexpr (dim == 3)
     young *= scene.cell_size;
   softness = (inertia() ? softness_with_inertia : softness_at_rest) / young;
@@ -36,7 +36,7 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
     dent = subgrid.dent(scene.bodies[frame.body],
                         frame.partner == none ? nullptr : &scene.bodies[frame.partner], frame.log_full_width);
   apart = apart_of(scene, frame);
-  partner_is_driven = frame.partner != none && scene.bodies[frame.partner].driven;
+  partner_is_driven = frame.partner != none && scene.bodies[frame.partner].rigid.driven;
   carry(scene);
   find_pair(scene);
   double sum = 0.;
@@ -85,8 +85,8 @@ double FrameState<dim>::gap_at_places(const FrameScene<dim> &scene, const unsign
     {
       const SurfacePlace<dim> &place = frame.rays[k].place[side];
       const Body<dim> &b = scene.bodies[body(side)];
-      const Vector x = place.position + b.field.functions_at(place.position).at(b.displacement) + away(side) -
-                       frame.origin;
+      const Vector x = place.position + b.field.functions_at(place.position).at(b.nodes.displacement) +
+                       away(side) - frame.origin;
       gap += sign(side) * (x * frame.direction);
     }
     else if (line != nullptr && side == 0)
@@ -115,7 +115,7 @@ bool FrameState<dim>::meets_bent_obstacle(const FrameScene<dim> &scene) const
 {
   if (dim == 2 || line == nullptr)
     return false;
-  const double size = std::cbrt(scene.bodies[frame.body].rest_area);
+  const double size = std::cbrt(scene.bodies[frame.body].rest.area);
   return frame.rays[0].place[0].bend.norm() * size > nearly_flat;
 }
 

@@ -67,10 +67,10 @@ public:
   void add_pair(unsigned int body, unsigned int partner, Image image)
   {
     const std::vector<Body<dim>> &bodies = scene.bodies;
-    if (bodies[body].driven && bodies[partner].driven)
+    if (bodies[body].rigid.driven && bodies[partner].rigid.driven)
       return;
     // A body that is driven is always the partner.
-    if (bodies[body].driven || (!bodies[partner].driven && partner > body))
+    if (bodies[body].rigid.driven || (!bodies[partner].rigid.driven && partner > body))
     {
       std::swap(body, partner);
       for (int &n : image)
@@ -126,7 +126,7 @@ std::vector<FrameTask<dim>> find_frame_tasks(const FrameScene<dim> &scene,
   const auto tree = dealii::pack_rtree_of_indices(list.box());
   for (unsigned int b = 0; b < samples.size(); ++b)
   {
-    if (!scene.bodies[b].driven)
+    if (!scene.bodies[b].rigid.driven)
       list.add_alone(b);
     std::vector<unsigned int> near;
     tree.query(boost::geometry::index::intersects(list.box()[b]), std::back_inserter(near));

@@ -42,7 +42,7 @@ std::array<typename FreeWay<dim>::Vector, 2> FreeWay<dim>::moves(const FrameScen
     {
       if (b == slab)
         result[side] = way;
-      else if (cell && !scene.bodies[b].driven)
+      else if (cell && !scene.bodies[b].rigid.driven)
         result[side] = cell->velocity(scene.bodies[b].center());
     }
   if (cell)

@@ -17,7 +17,7 @@ constexpr double shown = 1.285, shown_by_ratio = 0.4, shown_by_place = 0.235;
 /// 1/R at rest.
 double curvature(const Body<3> &body)
 {
-  return HertzCompliance::is_round(body) ? std::cbrt(4. / 3. * M_PI / body.rest_area) : 0.;
+  return HertzCompliance::is_round(body) ? std::cbrt(4. / 3. * M_PI / body.rest.area) : 0.;
 }
 } // namespace
 

@@ -78,8 +78,8 @@ void MovedBoundary::find_displacements(const OutlineScene &scene)
   displacement.reserve(body->boundary.position.size());
   for (unsigned int m = 0; m < body->boundary.position.size(); ++m)
   {
-    Vector moved = body->driven ? scene.dt * scene.drive[body->index]
-                                : at_marker(*body, m, scene.increment[body->index]);
+    Vector moved = body->rigid.driven ? scene.dt * scene.drive[body->index]
+                                      : at_marker(*body, m, scene.increment[body->index]);
     if (scene.cell != nullptr)
       moved += taken;
     displacement.push_back(moved);
@@ -100,7 +100,7 @@ void MovedBoundary::move_markers(const OutlineScene &scene)
     position[m] += scene.share * moved;
   }
   const double length = std::hypot(along, across);
-  if (!body->driven && length != 0. && scene.share != 0. && scene.share != 1.)
+  if (!body->rigid.driven && length != 0. && scene.share != 0. && scene.share != 1.)
   {
     // Chords cut the corners of circles: drawn along them, a body that turns is smaller on its way.
     const double grow = 1. / std::sqrt(1. - 2. * scene.share * (1. - scene.share) * (1. - along / length));
@@ -111,22 +111,22 @@ void MovedBoundary::move_markers(const OutlineScene &scene)
 
 void MovedBoundary::find_center(const OutlineScene &scene)
 {
-  if (body->driven)
+  if (body->rigid.driven)
   {
     travel = scene.dt * scene.drive[body->index];
     return; // nobody asks where the centre of such a body is
   }
   Vector moment, way;
-  for (unsigned int i = 0; i < body->mass.size(); ++i)
+  for (unsigned int i = 0; i < body->nodes.mass.size(); ++i)
   {
-    const Point &at = body->field.position(body->field.node_of_independent(i));
+    const Point &at = body->field.place(i);
     for (unsigned int d = 0; d < 2; ++d)
     {
-      moment[d] += body->mass[i] * (at[d] + body->displacement[2 * i + d]);
-      way[d] += body->mass[i] * scene.increment[body->index][2 * i + d];
+      moment[d] += body->nodes.mass[i] * (at[d] + body->nodes.displacement[2 * i + d]);
+      way[d] += body->nodes.mass[i] * scene.increment[body->index][2 * i + d];
     }
   }
-  const double mass = body->mass.sum();
+  const double mass = body->nodes.mass.sum();
   travel = way / mass;
   if (scene.cell != nullptr)
   {

@@ -56,23 +56,23 @@ struct BodyViews
 void look(const Body<2> &body, BodyViews &at)
 {
   const BodyField<2> &field = body.field;
-  const unsigned int n = field.nodes_per_cell();
+  const unsigned int n = field.cells().nodes_per_cell();
   for (unsigned int p = 0; p < body.points.size(); ++p)
     at.uncut = std::max(at.uncut, body.points[p].half_extent());
-  for (unsigned int c = 0; c < field.n_cells(); ++c)
+  for (unsigned int c = 0; c < field.cells().n(); ++c)
   {
-    const unsigned int *nodes = field.nodes_of_cell(c);
+    const unsigned int *nodes = field.cells().nodes(c);
     for (unsigned int k = 0; k < n; ++k)
     {
       if (at.slot[nodes[k]] == Row::none)
         continue;
       View &view = at.views[at.slot[nodes[k]]];
-      for (unsigned int p = field.first_point(c); p < field.first_point(c + 1); ++p)
-        if (field.values(p)[k] > 0.)
+      for (unsigned int p = field.cells().first_point(c); p < field.cells().first_point(c + 1); ++p)
+        if (field.at_point(p).values[k] > 0.)
         {
           const double mass = body.points[p].mass();
-          view.mass += mass * field.values(p)[k];
-          view.gradient += mass * field.slopes(p)[k];
+          view.mass += mass * field.at_point(p).values[k];
+          view.gradient += mass * field.at_point(p).slopes[k];
           view.points.push_back(p);
         }
     }
@@ -134,7 +134,7 @@ double extent(const Body<2> &body,
     const double r = cut * point.half_extent() * (transpose(point.gradient()) * direction).norm();
     const double furthest = point.position() * direction + r;
     anywhere = std::max(anywhere, furthest);
-    if (std::abs((point.position() - body.field.position(node)) * tangent) <= 0.5 * cell_size)
+    if (std::abs((point.position() - body.field.nodes().position(node)) * tangent) <= 0.5 * cell_size)
       beside = std::max(beside, furthest);
   }
   return beside > std::numeric_limits<double>::lowest() ? beside : anywhere;
@@ -153,8 +153,8 @@ Row start_row(const Body<2> &body, const unsigned int node, const double cell_si
 {
   Row row;
   row.body = body.index;
-  row.weights.body = body.field.extension(node).shared();
-  row.place = body.field.position(node);
+  row.weights.body = body.field.extension().row(node).shared();
+  row.place = body.field.nodes().position(node);
   row.length = cell_size;
   return row;
 }
@@ -188,7 +188,7 @@ public:
 private:
   bool near_wall(const WallMotion<2> &wall, const Body<2> &body, const unsigned int node) const
   {
-    return (body.field.position(node) - wall.point) * wall.normal < reach;
+    return (body.field.nodes().position(node) - wall.point) * wall.normal < reach;
   }
   /// Asks for what nodes see that may touch a wall, or that two bodies share.
   void ask();
@@ -213,8 +213,8 @@ NodalSearch::NodalSearch(const ContactScene<2> &scene, const double reach, const
     , views(bodies.size())
 {
   for (const Body<2> &body : bodies)
-    for (unsigned int i = 0; i < body.field.n_nodes(); ++i)
-      visits.push_back({body.field.lattice_node(i), body.index, i});
+    for (unsigned int i = 0; i < body.field.nodes().n(); ++i)
+      visits.push_back({body.field.nodes().lattice_number(i), body.index, i});
   std::sort(visits.begin(), visits.end());
   ask();
   parallel_for(bodies.size(), 1,
@@ -229,17 +229,17 @@ NodalSearch::NodalSearch(const ContactScene<2> &scene, const double reach, const
 void NodalSearch::ask()
 {
   for (const Body<2> &body : bodies)
-    views[body.index].slot.assign(body.field.n_nodes(), Row::none);
+    views[body.index].slot.assign(body.field.nodes().n(), Row::none);
   for (const Body<2> &body : bodies)
-    if (!body.driven)
+    if (!body.rigid.driven)
       for (const WallMotion<2> &wall : scene.walls)
-        for (unsigned int i = 0; wall.plane && i < body.field.n_nodes(); ++i)
+        for (unsigned int i = 0; wall.plane && i < body.field.nodes().n(); ++i)
           if (near_wall(wall, body, i))
             views[body.index].ask(i);
   for_shared_nodes(visits,
                    [&](const Visit &a, const Visit &b)
                    {
-                     if (bodies[a.body].driven && bodies[b.body].driven)
+                     if (bodies[a.body].rigid.driven && bodies[b.body].rigid.driven)
                        return;
                      views[a.body].ask(a.node);
                      views[b.body].ask(b.node);
@@ -249,9 +249,9 @@ void NodalSearch::ask()
 void NodalSearch::add_rows_at_walls(std::vector<Row> &rows) const
 {
   for (const Body<2> &body : bodies)
-    if (!body.driven)
+    if (!body.rigid.driven)
       for (unsigned int w = 0; w < scene.walls.size(); ++w)
-        for (unsigned int i = 0; scene.walls[w].plane && i < body.field.n_nodes(); ++i)
+        for (unsigned int i = 0; scene.walls[w].plane && i < body.field.nodes().n(); ++i)
         {
           const WallMotion<2> &wall = scene.walls[w];
           // Nodes that only boundary markers or empty corners of a stencil reach carry no mass: nothing is
@@ -264,17 +264,17 @@ void NodalSearch::add_rows_at_walls(std::vector<Row> &rows) const
           row.gap =
               with_gap ? -extent(body, views[body.index], i, -wall.normal, h) - wall.point * wall.normal : 0.;
           take_pair(scene, row);
-          row.key = row_key(body.field.lattice_node(i), body.index, w, true);
+          row.key = row_key(body.field.nodes().lattice_number(i), body.index, w, true);
           rows.push_back(std::move(row));
         }
 }
 
 void NodalSearch::add_row_of_bodies(Visit first, Visit second, std::vector<Row> &rows) const
 {
-  if (bodies[first.body].driven)
+  if (bodies[first.body].rigid.driven)
     std::swap(first, second); // what is driven can only be the partner
   const Body<2> &body = bodies[first.body], &partner = bodies[second.body];
-  if (body.driven)
+  if (body.rigid.driven)
     return;
   const View &own = views[first.body](first.node), &other = views[second.body](second.node);
   if (own.points.empty() || other.points.empty())
@@ -285,8 +285,8 @@ void NodalSearch::add_row_of_bodies(Visit first, Visit second, std::vector<Row> 
     return;
   Row row = start_row(body, first.node, h);
   row.partner = partner.index;
-  row.wall = partner.wall;
-  row.weights.partner = partner.field.extension(second.node).shared();
+  row.wall = partner.rigid.wall;
+  row.weights.partner = partner.field.extension().row(second.node).shared();
   row.normal = normal / normal.norm();
   row.gap = with_gap ? -extent(body, views[body.index], first.node, -row.normal, h) -
                            extent(partner, views[partner.index], second.node, row.normal, h)

@@ -50,7 +50,7 @@ public:
   Verdict verdict() const
   {
     Verdict verdict;
-    if (!scene.bodies[b].driven)
+    if (!scene.bodies[b].rigid.driven)
     {
       look_at_walls(verdict);
       look_at_obstacles(verdict);
@@ -177,7 +177,7 @@ double width_of(const Body<2> &body)
   double perimeter = 0.;
   for (unsigned int m = 0; m < markers.size(); ++m)
     perimeter += markers[m].distance(markers[body.boundary.next(m)]);
-  return 4. * body.rest_area / perimeter;
+  return 4. * body.rest.area / perimeter;
 }
 
 void Verdict::take(const Intrusion &found, const Meeting &meeting)

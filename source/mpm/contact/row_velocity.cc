@@ -11,7 +11,7 @@ double Opening::share(const Body<dim> &body, const double dt) const
 {
   if (length == 0.)
     return 1.;
-  const double crossed = dt * std::sqrt(body.law->young_modulus() / body.density) / length;
+  const double crossed = dt * std::sqrt(body.material.law->young_modulus() / body.material.density) / length;
   return std::min(1., crossed * crossed);
 }
 

@@ -22,7 +22,7 @@ std::vector<MovedBoundary> move_own(const BodyShare &share, const OutlineScene &
                      [&](const std::size_t begin, const std::size_t end)
                      {
                        for (std::size_t b = begin; b < end; ++b)
-                         if (share.mine(b) || bodies[b].driven)
+                         if (share.mine(b) || bodies[b].rigid.driven)
                          {
                            boundaries[b] = MovedBoundary(bodies[b], scene);
                            sketches[b] = boundaries[b].sketch();
@@ -53,7 +53,8 @@ Travellers travellers(const BodyShare &share, const OutlineScene &scene, const M
   found.come.resize(share.exchange.number());
   for (unsigned int b = 0; b < moved.tasks.size(); ++b)
     for (const ContactTask &task : moved.tasks[b])
-      if (const unsigned int p = task.partner; share.mine(b) != share.mine(p) && !scene.bodies[p].driven)
+      if (const unsigned int p = task.partner;
+          share.mine(b) != share.mine(p) && !scene.bodies[p].rigid.driven)
         (share.mine(p) ? found.leave[share.owner(b)] : found.come[share.owner(p)]).push_back(p);
   for (auto *const lists : {&found.leave, &found.come})
     for (std::vector<unsigned int> &list : *lists)

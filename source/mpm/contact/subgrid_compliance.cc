@@ -13,7 +13,7 @@ namespace
 /// 1/R at rest.
 double curvature(const Body<2> &body)
 {
-  return SubgridCompliance::is_round(body) ? std::sqrt(M_PI / body.rest_area) : 0.;
+  return SubgridCompliance::is_round(body) ? std::sqrt(M_PI / body.rest.area) : 0.;
 }
 
 /// Measured widths, doc/results/rim.md: ln k = mean + by_angle cos 4θ + by_place cos⁴ 2θ cos 2πf.

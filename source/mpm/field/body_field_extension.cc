@@ -23,7 +23,7 @@ void BodyField<dim>::build_extension(const std::vector<double> &volumes, const d
   double cell_volume = 1.;
   for (unsigned int d = 0; d < dim; ++d)
     cell_volume *= lattice->cell_size();
-  std::vector<double> fill(n_cells(), 0.);
+  std::vector<double> fill(own_cells.n(), 0.);
   for (unsigned int p = 0; p < volumes.size(); ++p)
   {
     const unsigned int c = point_cell[p];
@@ -39,37 +39,37 @@ void BodyField<dim>::build_extension(const std::vector<double> &volumes, const d
     upper[d] += cell_box.size[d] - 1;
   Box strong_cells;
   strong_cells.resize(cell_box.lower, upper, none);
-  independent_number.assign(n_nodes(), none);
-  for (unsigned int c = 0; c < n_cells(); ++c)
+  spreading.number.assign(own_nodes.n(), none);
+  for (unsigned int c = 0; c < own_cells.n(); ++c)
     if (fill[c] >= limit)
     {
       strong_cells(cell_index[c]) = c;
       for (const unsigned int k : functions->core())
       {
         // A well-filled cell holds what its hanging nodes hang on as well.
-        const unsigned int node = cell_nodes[c * n_cell_nodes + k];
+        const unsigned int node = own_cells.node[c * own_cells.per_cell + k];
         if (hanging[node].empty())
-          independent_number[node] = 0;
+          spreading.number[node] = 0;
         for (const auto &[other, weight] : hanging[node])
-          independent_number[other] = 0;
+          spreading.number[other] = 0;
       }
     }
-  independent_node.clear();
-  for (unsigned int i = 0; i < n_nodes(); ++i)
-    if (independent_number[i] != none)
+  spreading.independent.clear();
+  for (unsigned int i = 0; i < own_nodes.n(); ++i)
+    if (spreading.number[i] != none)
     {
-      independent_number[i] = independent_node.size();
-      independent_node.push_back(i);
+      spreading.number[i] = spreading.independent.size();
+      spreading.independent.push_back(i);
     }
 
-  dependent.clear();
-  for (unsigned int i = 0; i < n_nodes(); ++i)
-    if (independent_number[i] == none)
+  spreading.dependent.clear();
+  for (unsigned int i = 0; i < own_nodes.n(); ++i)
+    if (spreading.number[i] == none)
     {
-      dependent.add_line(i);
-      dependent.add_entries(i, hanging[i].empty() ? extend_node(i, strong_cells) : hanging[i]);
+      spreading.dependent.add_line(i);
+      spreading.dependent.add_entries(i, hanging[i].empty() ? extend_node(i, strong_cells) : hanging[i]);
     }
-  dependent.close();
+  spreading.dependent.close();
 }
 
 template <int dim>
@@ -151,29 +151,31 @@ typename BodyField<dim>::Entries BodyField<dim>::extend_node(const unsigned int 
 template <int dim>
 void BodyField<dim>::build_cell_dependence()
 {
-  cell_dependence.assign(n_cells(), {});
-  cell_matrix.assign(n_cells(), {});
-  for (unsigned int c = 0; c < n_cells(); ++c)
+  own_cells.dependence.assign(own_cells.n(), {});
+  own_cells.matrix.assign(own_cells.n(), {});
+  for (unsigned int c = 0; c < own_cells.n(); ++c)
   {
-    const unsigned int *nodes = &cell_nodes[c * n_cell_nodes];
+    const unsigned int *nodes = &own_cells.node[c * own_cells.per_cell];
     std::vector<unsigned int> list;
     bool direct = true;
-    for (unsigned int k = 0; k < n_cell_nodes; ++k)
+    for (unsigned int k = 0; k < own_cells.per_cell; ++k)
     {
-      direct = direct && !dependent.is_constrained(nodes[k]);
-      for_entries(nodes[k], [&](const unsigned int j, double) { list.push_back(j); });
+      direct = direct && !spreading.dependent.is_constrained(nodes[k]);
+      spreading.for_entries(nodes[k], [&](const unsigned int j, double) { list.push_back(j); });
     }
     if (!direct)
     {
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
-      cell_matrix[c].setZero(n_cell_nodes, list.size());
-      for (unsigned int k = 0; k < n_cell_nodes; ++k)
-        for_entries(
-            nodes[k], [&](const unsigned int j, const double weight)
-            { cell_matrix[c](k, std::lower_bound(list.begin(), list.end(), j) - list.begin()) = weight; });
+      own_cells.matrix[c].setZero(own_cells.per_cell, list.size());
+      for (unsigned int k = 0; k < own_cells.per_cell; ++k)
+        spreading.for_entries(nodes[k],
+                              [&](const unsigned int j, const double weight) {
+                                own_cells.matrix[c](k, std::lower_bound(list.begin(), list.end(), j) -
+                                                           list.begin()) = weight;
+                              });
     }
-    cell_dependence[c] = std::move(list);
+    own_cells.dependence[c] = std::move(list);
   }
 }
 
@@ -181,35 +183,35 @@ void BodyField<dim>::build_cell_dependence()
 template <int dim>
 void BodyField<dim>::transpose_cells()
 {
-  cell_transpose.assign(n_cells(), {});
-  for (unsigned int c = 0; c < n_cells(); ++c)
-    if (const Eigen::MatrixXd &matrix = cell_matrix[c]; matrix.size() > 0)
+  own_cells.transpose.assign(own_cells.n(), {});
+  for (unsigned int c = 0; c < own_cells.n(); ++c)
+    if (const Eigen::MatrixXd &matrix = own_cells.matrix[c]; matrix.size() > 0)
     {
-      cell_transpose[c].setZero(DenseKernels::filled(matrix.cols()), n_cell_nodes);
-      cell_transpose[c].topRows(matrix.cols()) = matrix.transpose();
+      own_cells.transpose[c].setZero(DenseKernels::filled(matrix.cols()), own_cells.per_cell);
+      own_cells.transpose[c].topRows(matrix.cols()) = matrix.transpose();
     }
 }
 
 template <int dim>
 void BodyField<dim>::color_cells()
 {
-  cell_colors.clear();
+  own_cells.groups.clear();
   std::vector<std::vector<bool>> used;
-  for (unsigned int c = 0; c < n_cells(); ++c)
+  for (unsigned int c = 0; c < own_cells.n(); ++c)
   {
-    if (cell_point_start[c] == cell_point_start[c + 1])
+    if (own_cells.point_start[c] == own_cells.point_start[c + 1])
       continue; // nothing to integrate there
-    const std::vector<unsigned int> &list = cell_dependence[c];
+    const std::vector<unsigned int> &list = own_cells.dependence[c];
     unsigned int color = 0;
-    while (color < cell_colors.size() &&
+    while (color < own_cells.groups.size() &&
            std::any_of(list.begin(), list.end(), [&](const unsigned int j) { return used[color][j]; }))
       ++color;
-    if (color == cell_colors.size())
+    if (color == own_cells.groups.size())
     {
-      cell_colors.emplace_back();
+      own_cells.groups.emplace_back();
       used.emplace_back(n_independent(), false);
     }
-    cell_colors[color].push_back(c);
+    own_cells.groups[color].push_back(c);
     for (const unsigned int j : list)
       used[color][j] = true;
   }

@@ -18,10 +18,10 @@ void BodyField<dim>::tell(std::vector<double> &numbers) const
   for (const Index &c : cell_index)
     numbers.insert(numbers.end(), c.begin(), c.end());
   // Not found from the cells again: what is computed elsewhere may be rounded in another way.
-  for (const dealii::Point<dim> &x : node_position)
+  for (const dealii::Point<dim> &x : own_nodes.place)
     numbers.insert(numbers.end(), x.begin_raw(), x.end_raw());
-  numbers.push_back(dependent.n_constraints());
-  for (const auto &line : dependent.get_lines())
+  numbers.push_back(spreading.dependent.n_constraints());
+  for (const auto &line : spreading.dependent.get_lines())
   {
     numbers.push_back(line.index);
     numbers.push_back(line.entries.size());
@@ -53,9 +53,9 @@ const double *BodyField<dim>::take(const Lattice<dim> &the_lattice,
   cell_box.resize(lower, upper, none);
   for (unsigned int c = 0; c < cell_index.size(); ++c)
     cell_box(cell_index[c]) = c;
-  cell_point_start.assign(cell_index.size() + 1, 0);
+  own_cells.point_start.assign(cell_index.size() + 1, 0);
   number_nodes();
-  for (dealii::Point<dim> &x : node_position)
+  for (dealii::Point<dim> &x : own_nodes.place)
     for (unsigned int d = 0; d < dim; ++d)
       x[d] = *numbers++;
   for (std::size_t n_lines = count(); n_lines > 0; --n_lines)
@@ -64,16 +64,16 @@ const double *BodyField<dim>::take(const Lattice<dim> &the_lattice,
     Entries entries;
     for (std::size_t e = 0; e < n_entries; ++e, numbers += 2)
       entries.emplace_back(static_cast<unsigned int>(numbers[0]), numbers[1]);
-    dependent.add_line(line);
-    dependent.add_entries(line, entries);
+    spreading.dependent.add_line(line);
+    spreading.dependent.add_entries(line, entries);
   }
   // They are not closed: they were before they were told, and weights would be rounded once more.
-  independent_number.assign(n_nodes(), none);
-  for (unsigned int i = 0; i < n_nodes(); ++i)
-    if (!dependent.is_constrained(i))
+  spreading.number.assign(own_nodes.n(), none);
+  for (unsigned int i = 0; i < own_nodes.n(); ++i)
+    if (!spreading.dependent.is_constrained(i))
     {
-      independent_number[i] = independent_node.size();
-      independent_node.push_back(i);
+      spreading.number[i] = spreading.independent.size();
+      spreading.independent.push_back(i);
     }
   build_cell_dependence();
   return numbers;

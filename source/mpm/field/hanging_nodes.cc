@@ -17,38 +17,39 @@ constexpr unsigned int none = static_cast<unsigned int>(-1);
 template <int dim>
 void BodyField<dim>::hang_nodes()
 {
-  hanging.assign(n_nodes(), {});
+  hanging.assign(own_nodes.n(), {});
   if (levels == nullptr)
     return;
   const int per_edge = shape->nodes_per_edge();
-  std::vector<double> values(n_cell_nodes);
+  std::vector<double> values(own_cells.per_cell);
   std::vector<dealii::Tensor<1, dim>> no_slopes;
-  for (unsigned int c = 0; c < n_cells(); ++c)
+  for (unsigned int c = 0; c < own_cells.n(); ++c)
   {
     const int size = edge(cell_index[c]);
     if (size == 1)
       continue; // nothing is smaller
-    const Index first = node_index(cell_index[c], 0), last = node_index(cell_index[c], n_cell_nodes - 1);
-    for_box<dim>(first, last,
-                 [&](const Index &i)
-                 {
-                   if (node_box(i) == none || !hanging[node_box(i)].empty())
-                     return;
-                   dealii::Point<dim> place;
-                   bool own = true;
-                   for (unsigned int d = 0; d < dim; ++d)
-                   {
-                     own = own && (i[d] - first[d]) % size == 0;
-                     place[d] = static_cast<double>(i[d] - first[d]) / (per_edge * size);
-                   }
-                   if (own)
-                     return;
-                   functions->evaluate(place, 0., values, no_slopes);
-                   for (unsigned int k = 0; k < n_cell_nodes; ++k)
-                     if (std::abs(values[k]) >
-                         1e-12) // functions of nodes off this face vanish but for rounding
-                       hanging[node_box(i)].emplace_back(cell_nodes[c * n_cell_nodes + k], values[k]);
-                 });
+    const Index first = node_index(cell_index[c], 0),
+                last = node_index(cell_index[c], own_cells.per_cell - 1);
+    for_box<dim>(
+        first, last,
+        [&](const Index &i)
+        {
+          if (node_box(i) == none || !hanging[node_box(i)].empty())
+            return;
+          dealii::Point<dim> place;
+          bool own = true;
+          for (unsigned int d = 0; d < dim; ++d)
+          {
+            own = own && (i[d] - first[d]) % size == 0;
+            place[d] = static_cast<double>(i[d] - first[d]) / (per_edge * size);
+          }
+          if (own)
+            return;
+          functions->evaluate(place, 0., values, no_slopes);
+          for (unsigned int k = 0; k < own_cells.per_cell; ++k)
+            if (std::abs(values[k]) > 1e-12) // functions of nodes off this face vanish but for rounding
+              hanging[node_box(i)].emplace_back(own_cells.node[c * own_cells.per_cell + k], values[k]);
+        });
   }
 }
 

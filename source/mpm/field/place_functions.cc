@@ -46,13 +46,13 @@ PlaceFunctions<dim> BodyField<dim>::functions_at(const dealii::Point<dim> &x) co
   const unsigned int cell = cell_box(c);
   const double edge_length = edge(c) * lattice->cell_size();
   const auto factors = functions->factors(unit_position(x, c));
-  const std::vector<unsigned int> &independent = cell_dependence[cell];
+  const std::vector<unsigned int> &independent = own_cells.dependence[cell];
   result.cell = cell;
   result.node.assign(independent.begin(), independent.end());
   result.value.assign(result.node.size(), 0.);
   result.slope.assign(result.node.size(), dealii::Tensor<1, dim>());
-  const Eigen::MatrixXd &spread = cell_matrix[cell]; // from independent nodes to those of the cell
-  for (unsigned int k = 0; k < n_cell_nodes; ++k)
+  const Eigen::MatrixXd &spread = own_cells.matrix[cell]; // from independent nodes to those of the cell
+  for (unsigned int k = 0; k < own_cells.per_cell; ++k)
   {
     const auto &offset = functions->offset(k);
     double value = 1.;
@@ -90,9 +90,9 @@ bool FieldNear<dim>::look_at(const dealii::Point<dim> &x)
   if (const unsigned int there = field.cell_box(c); there != cell)
   {
     cell = there;
-    const std::vector<unsigned int> &independent = field.cell_dependence[cell];
-    const Eigen::MatrixXd &spread = field.cell_matrix[cell];
-    node.assign(field.n_cell_nodes, Vector());
+    const std::vector<unsigned int> &independent = field.own_cells.independent(cell);
+    const Eigen::MatrixXd &spread = field.own_cells.extension(cell);
+    node.assign(field.own_cells.nodes_per_cell(), Vector());
     for (unsigned int k = 0; k < node.size(); ++k)
       if (spread.size() == 0)
         node[k] = PlaceFunctions<dim>::of_node(nodal, independent[k]);

@@ -67,20 +67,20 @@ private:
 struct NodalVectors
 {
   explicit NodalVectors(const Body<2> &body)
-      : displacement(body.displacement)
-      , velocity(body.velocity)
-      , velocity_of_points(body.velocity_of_points)
-      , kept(body.kept)
-      , internal_force(body.internal_force)
+      : displacement(body.nodes.displacement)
+      , velocity(body.nodes.velocity)
+      , velocity_of_points(body.nodes.velocity_of_points)
+      , kept(body.nodes.kept)
+      , internal_force(body.nodes.internal_force)
   {
   }
   void put(Body<2> &body) const
   {
-    body.displacement = displacement;
-    body.velocity = velocity;
-    body.velocity_of_points = velocity_of_points;
-    body.kept = kept;
-    body.internal_force = internal_force;
+    body.nodes.displacement = displacement;
+    body.nodes.velocity = velocity;
+    body.nodes.velocity_of_points = velocity_of_points;
+    body.nodes.kept = kept;
+    body.nodes.internal_force = internal_force;
   }
   Eigen::VectorXd displacement, velocity, velocity_of_points, kept, internal_force;
 };
@@ -102,7 +102,7 @@ std::string MpmModel::share_out_anew()
     return "";
   unsigned int n_moved = 0;
   for (const Body<2> &body : state.bodies)
-    n_moved += !body.driven && owners[body.index] != share.owner(body.index);
+    n_moved += !body.rigid.driven && owners[body.index] != share.owner(body.index);
   const RankTimes taken = share.exchange.taken();
   const double begin = processor_seconds();
   move_bodies(std::move(owners));
@@ -140,7 +140,7 @@ void MpmModel::move_bodies(std::vector<unsigned int> owners)
   std::vector<double> rest;
   for (const Body<2> &body : state.bodies)
     if (work.share.holds(body.index))
-      for (const dealii::Point<2> &x : body.rest_position)
+      for (const dealii::Point<2> &x : body.rest.position)
         rest.insert(rest.end(), x.begin_raw(), x.end_raw());
   rest = journey.take(rest, rest_size);
   std::vector<char> comes, goes;
@@ -153,10 +153,10 @@ void MpmModel::move_bodies(std::vector<unsigned int> owners)
   const double *at = rest.data();
   for (Body<2> &body : state.bodies)
   {
-    body.rest_position.clear();
+    body.rest.position.clear();
     if (work.share.holds(body.index))
       for (const double *const end = at + rest_size(body.index); at < end; at += 2)
-        body.rest_position.emplace_back(at[0], at[1]);
+        body.rest.position.emplace_back(at[0], at[1]);
   }
   work.share.exchange.together([&]() { take_moved(points, comes, goes); });
 }

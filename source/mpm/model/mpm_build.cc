@@ -110,7 +110,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
       descriptions.push_back(wall_slab(state.walls[w].description, context));
       state.bodies.push_back(make_body(descriptions.back(), state.walls[w].body, laws[0],
                                        problem.scene.materials[0].density, context));
-      state.bodies.back().wall = w;
+      state.bodies.back().rigid.wall = w;
     }
   problem.geometry = Registry<ContactGeometryKind>::instance()
                          .create(settings.contact_geometry)
@@ -131,7 +131,7 @@ void MpmModel::build(std::vector<std::shared_ptr<const constitutive::Law<2>>> la
 
 bool MpmModel::needs_matrix(const Body<2> &body) const
 {
-  return problem.settings.scheme.solves_equations() && !body.driven && work.share.mine(body.index);
+  return problem.settings.scheme.solves_equations() && !body.rigid.driven && work.share.mine(body.index);
 }
 
 void MpmModel::lay_out_matrix(const Body<2> &body)
@@ -193,7 +193,7 @@ void MpmModel::fill_bodies(const std::vector<BodyDescription<2>> &descriptions)
             start_body(body, descriptions[body.index], context);
       });
   for (const Body<2> &body : state.bodies)
-    work.drive.push_back(body.drive);
+    work.drive.push_back(body.rigid.drive);
   share_grids(all_bodies());
 }
 } // namespace softgrain::mpm

@@ -24,9 +24,9 @@ void MpmModel::refresh_forces(Body<2> &body)
     const auto point = body.points[p];
     s.gradient[p] = point.gradient();
     s.stress[p] = point.stress();
-    s.volume[p] = body.small_strain() ? point.volume() : point.rest_volume();
+    s.volume[p] = body.material.small_strain() ? point.volume() : point.rest_volume();
   }
-  internal_force(body, s, body.internal_force);
+  internal_force(body, s, body.nodes.internal_force);
 }
 
 void MpmModel::renew_grids()
@@ -49,7 +49,7 @@ void MpmModel::renew_grids()
   {
     BodyShare::Message message(work.share);
     for (const unsigned int b : leaving)
-      if (!state.bodies[b].driven)
+      if (!state.bodies[b].rigid.driven)
         message.add_outline(state.bodies[b]);
     message.send();
   }
@@ -57,11 +57,11 @@ void MpmModel::renew_grids()
   for (const unsigned int b : leaving)
   {
     Body<2> &body = state.bodies[b];
-    if (body.driven)
+    if (body.rigid.driven)
     {
-      for (unsigned int i = 0; body.velocity.size() > 0 && i < body.field.n_independent(); ++i)
+      for (unsigned int i = 0; body.nodes.velocity.size() > 0 && i < body.field.n_independent(); ++i)
         for (unsigned int d = 0; d < 2; ++d)
-          body.velocity[2 * i + d] = work.drive[b][d];
+          body.nodes.velocity[2 * i + d] = work.drive[b][d];
       continue;
     }
     lay_out_matrix(body);
@@ -76,10 +76,10 @@ void MpmModel::renew_grids()
       [&](BodyShare::Message &message)
       {
         for (const unsigned int b : leaving)
-          if (Body<2> &body = state.bodies[b]; !body.driven)
+          if (Body<2> &body = state.bodies[b]; !body.rigid.driven)
           {
-            body.internal_force.conservativeResize(body.field.n_dofs());
-            message.add(b, body.internal_force.data(), body.internal_force.size());
+            body.nodes.internal_force.conservativeResize(body.field.n_dofs());
+            message.add(b, body.nodes.internal_force.data(), body.nodes.internal_force.size());
           }
       });
   // Checkpoints tell where rays meet outlines by places on these.
@@ -148,7 +148,7 @@ void MpmModel::bring_into_cell(Body<2> &body) const
   for (unsigned int d = 0; d < 2; ++d)
     body.home[d] += image[d];
   body.translate(-cell.shift(image));
-  if (body.field.knows_markers())
+  if (body.field.markers().size() > 0)
     move_boundary(body);
 }
 } // namespace softgrain::mpm

@@ -30,9 +30,9 @@ double MpmModel::cfl_step() const
 {
   double step = std::numeric_limits<double>::max();
   for (const Body<2> &body : state.bodies)
-    if (!body.driven)
-      step =
-          std::min(step, problem.lattice->cell_size() * std::sqrt(body.density / body.law->wave_modulus()));
+    if (!body.rigid.driven)
+      step = std::min(step, problem.lattice->cell_size() *
+                                std::sqrt(body.material.density / body.material.law->wave_modulus()));
   return step;
 }
 
@@ -46,8 +46,8 @@ double MpmModel::fastest_driven_body() const
 {
   double speed = 0.;
   for (const Body<2> &body : state.bodies)
-    if (body.driven)
-      speed = std::max(speed, body.drive.norm());
+    if (body.rigid.driven)
+      speed = std::max(speed, body.rigid.drive.norm());
   return speed;
 }
 
@@ -139,7 +139,8 @@ std::string MpmModel::fastest_body() const
   const Body<2> *fastest = nullptr;
   double speed = -1.;
   for (const Body<2> &body : state.bodies)
-    if (const double of_body = body.driven ? -1. : body.momentum().norm() / body.mass.sum(); of_body > speed)
+    if (const double of_body = body.rigid.driven ? -1. : body.nodes.momentum().norm() / body.nodes.mass.sum();
+        of_body > speed)
     {
       speed = of_body;
       fastest = &body;
@@ -193,8 +194,9 @@ void MpmModel::check_energy() const
   // The energy of a law is known to some rounding of its modulus.
   double rounding = 0.;
   for (const Body<2> &body : state.bodies)
-    if (!body.driven)
-      rounding += 100. * std::numeric_limits<double>::epsilon() * body.law->wave_modulus() * body.rest_area;
+    if (!body.rigid.driven)
+      rounding +=
+          100. * std::numeric_limits<double>::epsilon() * body.material.law->wave_modulus() * body.rest.area;
   if (created <= std::max(0.5 * scale, rounding))
     return;
   std::ostringstream message;
@@ -212,8 +214,9 @@ void MpmModel::update_momentum_scale()
   for (const Body<2> &body : state.bodies)
   {
     double sum = 0.;
-    for (unsigned int i = 0; i < body.mass.size() && body.velocity.size() > 0 && !body.driven; ++i)
-      sum += body.mass[i] * body.velocity.segment<2>(2 * i).norm();
+    for (unsigned int i = 0;
+         i < body.nodes.mass.size() && body.nodes.velocity.size() > 0 && !body.rigid.driven; ++i)
+      sum += body.nodes.mass[i] * body.nodes.velocity.segment<2>(2 * i).norm();
     scale = std::max(scale, sum);
   }
   state.balance.momentum.note(scale);

@@ -37,7 +37,7 @@ std::vector<char> MpmModel::held_here(const std::vector<unsigned int> &owners) c
   // Where bodies meet at their nodes, every rank looks at the points of all.
   std::vector<char> held;
   for (const Body<2> &body : state.bodies)
-    held.push_back(owners[body.index] == work.share.exchange.here() || body.driven ||
+    held.push_back(owners[body.index] == work.share.exchange.here() || body.rigid.driven ||
                    !problem.settings.meets_by_rays());
   return held;
 }
@@ -69,7 +69,7 @@ void MpmModel::share_grids(const std::vector<unsigned int> &of_bodies)
         [&]()
         {
           for (auto b = begin; b != end; ++b)
-            if (work.share.mine(*b) && !state.bodies[*b].driven)
+            if (work.share.mine(*b) && !state.bodies[*b].rigid.driven)
               told[*b] = tell_grid(state.bodies[*b]);
         },
         told);
@@ -87,7 +87,7 @@ void MpmModel::share_trial_volumes(const std::vector<unsigned int> &of_bodies)
     return;
   BodyShare::Message message(work.share);
   for (const unsigned int b : of_bodies)
-    if (const Body<2> &body = state.bodies[b]; body.small_strain() && !body.driven)
+    if (const Body<2> &body = state.bodies[b]; body.material.small_strain() && !body.rigid.driven)
     {
       work.trial[b].volume.resize(body.points.size());
       message.add(b, work.trial[b].volume.data(), body.points.size());

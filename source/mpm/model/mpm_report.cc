@@ -25,8 +25,8 @@ dealii::Tensor<1, 2> MpmModel::momentum() const
 {
   dealii::Tensor<1, 2> sum;
   for (const Body<2> &body : state.bodies)
-    if (!body.driven)
-      sum += body.momentum();
+    if (!body.rigid.driven)
+      sum += body.nodes.momentum();
   return sum;
 }
 
@@ -36,9 +36,9 @@ double MpmModel::momentum_error() const
     return std::numeric_limits<double>::quiet_NaN();
   double sum = 0.;
   for (const Body<2> &body : state.bodies)
-    if (!body.driven)
+    if (!body.rigid.driven)
       sum += rounded_strain * problem.scene.bodies[body.index].shape->area() *
-             std::sqrt(body.law->wave_modulus() * body.density);
+             std::sqrt(body.material.law->wave_modulus() * body.material.density);
   return state.balance.momentum.error(momentum(), sum);
 }
 
@@ -47,8 +47,9 @@ double MpmModel::energy_of_rounding() const
   const double strain = at_rest() ? unresolved_strain : rounded_strain;
   double sum = 0.;
   for (const Body<2> &body : state.bodies)
-    if (!body.driven)
-      sum += strain * strain * problem.scene.bodies[body.index].shape->area() * body.law->wave_modulus();
+    if (!body.rigid.driven)
+      sum += strain * strain * problem.scene.bodies[body.index].shape->area() *
+             body.material.law->wave_modulus();
   return sum;
 }
 
@@ -58,8 +59,8 @@ Energies MpmModel::energies() const
   if (!at_rest())
   {
     for (const Body<2> &body : state.bodies)
-      if (!body.driven)
-        energies.kinetic += body.kinetic_energy();
+      if (!body.rigid.driven)
+        energies.kinetic += body.nodes.kinetic_energy();
     for (const Wall<2> &wall : state.walls)
       energies.kinetic += kinetic_energy_of(wall);
   }
@@ -77,7 +78,7 @@ std::vector<std::pair<std::string, double>> MpmModel::works() const
     workers.driven_bodies = workers.driven_bodies || body.driven;
   for (const Body<2> &body : state.bodies)
   {
-    workers.growth = workers.growth || (!body.driven && body.law->is_active());
+    workers.growth = workers.growth || (!body.rigid.driven && body.material.law->is_active());
   }
   if (std::any_of(state.bodies.begin(), state.bodies.end(),
                   [&](const Body<2> &body) { return body.loads.size() > problem.scene.loads.size(); }))
@@ -111,7 +112,7 @@ SizeReport MpmModel::size_report() const
   };
   std::size_t dofs = 0;
   for (const Body<2> &body : state.bodies)
-    dofs += body.driven ? 0 : body.field.n_dofs();
+    dofs += body.rigid.driven ? 0 : body.field.n_dofs();
   const auto &cells = problem.lattice->n_cells();
   SizeReport report = {
       {"bodies", std::to_string(n_bodies())},

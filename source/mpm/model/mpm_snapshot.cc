@@ -35,32 +35,32 @@ BodyState<2> MpmModel::body_state(const Body<2> &body, const std::array<double, 
     state.outline.emplace_back(body.boundary.position.begin() + body.boundary.loop_start[l],
                                body.boundary.position.begin() + body.boundary.loop_start[l + 1]);
   state.area = outline_area(body);
-  state.reference_area = body.rest_area;
-  state.mass = body.mass.sum();
+  state.reference_area = body.rest.area;
+  state.mass = body.nodes.mass.sum();
   if (body.boundary.circular)
   {
-    state.curvature = std::sqrt(M_PI / body.rest_area);
+    state.curvature = std::sqrt(M_PI / body.rest.area);
     state.compliance = plane_compliance(body);
   }
   const auto place = [&](const unsigned int i)
   {
-    dealii::Point<2> x = body.field.position(body.field.node_of_independent(i));
+    dealii::Point<2> x = body.field.place(i);
     for (unsigned int d = 0; d < 2; ++d)
-      x[d] += body.displacement[2 * i + d];
+      x[d] += body.nodes.displacement[2 * i + d];
     return x;
   };
   state.center = body.center();
-  state.velocity = body.momentum() / state.mass;
-  for (unsigned int i = 0; i < body.mass.size() && body.velocity.size() > 0; ++i)
+  state.velocity = body.nodes.momentum() / state.mass;
+  for (unsigned int i = 0; i < body.nodes.mass.size() && body.nodes.velocity.size() > 0; ++i)
   {
     const dealii::Tensor<1, 2> arm = place(i) - state.center;
     state.angular_momentum +=
-        body.mass[i] * (arm[0] * body.velocity[2 * i + 1] - arm[1] * body.velocity[2 * i]);
+        body.nodes.mass[i] * (arm[0] * body.nodes.velocity[2 * i + 1] - arm[1] * body.nodes.velocity[2 * i]);
   }
   for (unsigned int i = 0; i < 3; ++i)
     state.mean_stress.access_raw_entry(i) = stress_sum[i];
   if (state.area > 0.)
-    state.mean_stress /= body.small_strain() ? stress_sum[3] : state.area;
+    state.mean_stress /= body.material.small_strain() ? stress_sum[3] : state.area;
   return state;
 }
 
@@ -106,7 +106,7 @@ Snapshot<2> MpmModel::snapshot() const
   const std::vector<std::array<double, 4>> stress = stress_sums();
   for (const Body<2> &body : state.bodies)
   {
-    if (body.wall != Row::none)
+    if (body.rigid.wall != Row::none)
       continue; // a slab is shown as the wall it stands for
     snapshot.bodies.push_back(body_state(body, stress[body.index]));
   }
@@ -123,7 +123,7 @@ Snapshot<2> MpmModel::touching_state() const
   snapshot.time = state.time;
   snapshot.step = steps;
   for (const Body<2> &body : state.bodies)
-    if (body.wall == Row::none)
+    if (body.rigid.wall == Row::none)
     {
       snapshot.bodies.emplace_back();
       snapshot.bodies.back().name = body.name;
@@ -191,8 +191,8 @@ double MpmModel::solid_area() const
                                           { return std::array<double, 1>{outline_area(body)}; });
   double area = 0.;
   for (const Body<2> &body : state.bodies)
-    if (body.wall == Row::none)
-      area += body.driven ? outline_area(body) : told[body.index][0];
+    if (body.rigid.wall == Row::none)
+      area += body.rigid.driven ? outline_area(body) : told[body.index][0];
   return area;
 }
 
@@ -214,17 +214,17 @@ double MpmModel::coordination() const
 bool MpmModel::laws_limit_step() const
 {
   return std::any_of(state.bodies.begin(), state.bodies.end(),
-                     [](const Body<2> &body) { return body.law->limits_step(); });
+                     [](const Body<2> &body) { return body.material.law->limits_step(); });
 }
 
 double MpmModel::rotational_energy() const
 {
   double energy = 0.;
   for (const Body<2> &body : state.bodies)
-    if (!body.driven && body.velocity.size() > 0)
+    if (!body.rigid.driven && body.nodes.velocity.size() > 0)
     {
       const Eigen::VectorXd r = whole_rotation(body);
-      const double rate = r.dot(body.velocity);
+      const double rate = r.dot(body.nodes.velocity);
       energy += 0.5 * rate * rate * rotary_inertia(body, r);
     }
   return energy;

@@ -16,10 +16,10 @@ constexpr unsigned int not_a_wall = static_cast<unsigned int>(-1);
 dealii::Tensor<1, 2> field_at(const BodyField<2> &field, const unsigned int p, const Eigen::VectorXd &nodal)
 {
   dealii::Tensor<1, 2> value;
-  for (unsigned int k = 0; k < field.nodes_per_cell(); ++k)
+  for (unsigned int k = 0; k < field.cells().nodes_per_cell(); ++k)
   {
-    const unsigned int i = field.point_nodes(p)[k];
-    value += field.values(p)[k] * dealii::Tensor<1, 2>({nodal[2 * i], nodal[2 * i + 1]});
+    const unsigned int i = field.at_point(p).nodes[k];
+    value += field.at_point(p).values[k] * dealii::Tensor<1, 2>({nodal[2 * i], nodal[2 * i + 1]});
   }
   return value;
 }
@@ -39,7 +39,7 @@ std::vector<Section> sections_of(const State &state, const BodyShare &share, std
   std::vector<Section> sections;
   room = 0;
   for (const Body<2> &body : state.bodies)
-    if (body.wall == not_a_wall)
+    if (body.rigid.wall == not_a_wall)
     {
       sections.push_back({&body, share.owner(body.index), room});
       if (share.exchange.first() || share.mine(body.index))
@@ -65,19 +65,19 @@ void resize(PointStates<2> &points, const std::size_t n)
 void put_points(const Body<2> &body, const std::size_t begin, PointStates<2> &points)
 {
   Eigen::VectorXd u, v;
-  body.field.prolongate(body.displacement, u);
-  if (body.velocity.size() > 0)
-    body.field.prolongate(body.velocity, v);
+  body.field.extension().prolongate(body.nodes.displacement, u);
+  if (body.nodes.velocity.size() > 0)
+    body.field.extension().prolongate(body.nodes.velocity, v);
   const PointMeasures<2> seen =
-      measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.field.n_dofs()));
+      measure_points(body, body.nodes.displacement, Eigen::VectorXd::Zero(body.field.n_dofs()));
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
     const auto point = body.points[p];
     const std::size_t at = begin + body.points.number(p);
     const dealii::Tensor<2, 2> &F = seen.gradient[p];
-    const double volume = determinant(F), J = body.small_strain() ? 1. : volume;
+    const double volume = determinant(F), J = body.material.small_strain() ? 1. : volume;
     points.position[at] = point.position() + field_at(body.field, p, u);
-    points.velocity[at] = body.velocity.size() > 0 ? field_at(body.field, p, v) : body.drive;
+    points.velocity[at] = body.nodes.velocity.size() > 0 ? field_at(body.field, p, v) : body.rigid.drive;
     points.size[at] = point.rest_volume() * volume;
     points.stress[at] = point.stress() / J;
     points.out_of_plane_stress[at] = seen.out_of_plane_stress[p] / J;
@@ -127,7 +127,7 @@ PointStates<2> MpmModel::point_states() const
         sections = sections_of(state, share, room);
         resize(points, room);
         for (const Section &section : sections)
-          add_history_fields(*section.body->law, points);
+          add_history_fields(*section.body->material.law, points);
         for (const Section &section : sections)
           if (share.mine(section.body->index))
           {

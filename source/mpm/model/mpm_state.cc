@@ -109,12 +109,12 @@ void MpmModel::write_state(StateWriter &out, const bool of_all) const
     const std::string at = place_of(body);
     out.write(at + "boundary_grid_position", flat(body.boundary.grid_position));
     out.write(at + "boundary_position", flat(body.boundary.position));
-    out.write(at + "nodes/displacement", flat(body.displacement));
-    out.write(at + "nodes/velocity", flat(body.velocity));
-    out.write(at + "nodes/velocity_of_points", flat(body.velocity_of_points));
-    out.write(at + "nodes/internal_force", flat(body.internal_force));
-    if (body.kept.size() > 0)
-      out.write(at + "nodes/rate", flat(body.kept));
+    out.write(at + "nodes/displacement", flat(body.nodes.displacement));
+    out.write(at + "nodes/velocity", flat(body.nodes.velocity));
+    out.write(at + "nodes/velocity_of_points", flat(body.nodes.velocity_of_points));
+    out.write(at + "nodes/internal_force", flat(body.nodes.internal_force));
+    if (body.nodes.kept.size() > 0)
+      out.write(at + "nodes/rate", flat(body.nodes.kept));
     if (state.repeats())
       out.write(at + "home", std::vector<double>(body.home.begin(), body.home.end()));
   }
@@ -171,14 +171,14 @@ void MpmModel::read_nodes(const StateReader &in, Body<2> &body)
   const std::string at = place_of(body);
   unflat(in, at + "boundary_position", body.boundary.position);
   // The grid that has been laid says how many nodes there are.
-  unflat(in, at + "nodes/displacement", body.displacement);
-  unflat(in, at + "nodes/velocity", body.velocity);
-  unflat(in, at + "nodes/velocity_of_points", body.velocity_of_points);
-  body.internal_force.resize(body.field.n_dofs());
-  unflat(in, at + "nodes/internal_force", body.internal_force);
-  body.kept.resize(in.contains(at + "nodes/rate") ? body.field.n_dofs() : 0);
-  if (body.kept.size() > 0)
-    unflat(in, at + "nodes/rate", body.kept);
+  unflat(in, at + "nodes/displacement", body.nodes.displacement);
+  unflat(in, at + "nodes/velocity", body.nodes.velocity);
+  unflat(in, at + "nodes/velocity_of_points", body.nodes.velocity_of_points);
+  body.nodes.internal_force.resize(body.field.n_dofs());
+  unflat(in, at + "nodes/internal_force", body.nodes.internal_force);
+  body.nodes.kept.resize(in.contains(at + "nodes/rate") ? body.field.n_dofs() : 0);
+  if (body.nodes.kept.size() > 0)
+    unflat(in, at + "nodes/rate", body.nodes.kept);
   if (!state.repeats())
     return;
   const std::vector<double> home = in.read_doubles(at + "home", 2);

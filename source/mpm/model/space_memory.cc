@@ -221,28 +221,29 @@ void load_contacts(const StateReader &in, SpaceState &state)
 }
 
 /// Of all bodies, one after the other.
-std::vector<double> nodal(const SpaceState &state, Eigen::VectorXd Body<3>::*vector)
+std::vector<double> nodal(const SpaceState &state, Eigen::VectorXd NodalState<3>::*vector)
 {
   std::vector<double> all;
   for (const Body<3> &body : state.bodies)
-    all.insert(all.end(), (body.*vector).data(), (body.*vector).data() + (body.*vector).size());
+    all.insert(all.end(), (body.nodes.*vector).data(),
+               (body.nodes.*vector).data() + (body.nodes.*vector).size());
   return all;
 }
 
-void take_nodal(const std::vector<double> &all, Eigen::VectorXd Body<3>::*vector, SpaceState &state)
+void take_nodal(const std::vector<double> &all, Eigen::VectorXd NodalState<3>::*vector, SpaceState &state)
 {
   const double *at = all.data();
   for (Body<3> &body : state.bodies)
   {
-    body.*vector = Eigen::Map<const Eigen::VectorXd>(at, body.displacement.size());
-    at += body.displacement.size();
+    body.nodes.*vector = Eigen::Map<const Eigen::VectorXd>(at, body.nodes.displacement.size());
+    at += body.nodes.displacement.size();
   }
 }
 
 void save_motion(const SpaceState &state, StateWriter &out)
 {
-  out.write("space/velocity", nodal(state, &Body<3>::velocity));
-  out.write("space/internal_force", nodal(state, &Body<3>::internal_force));
+  out.write("space/velocity", nodal(state, &NodalState<3>::velocity));
+  out.write("space/internal_force", nodal(state, &NodalState<3>::internal_force));
   const MotionBalance &balance = state.motion;
   std::vector<double> sums = {balance.scheme_damping, balance.contact_loss, balance.largest_momentum};
   add(balance.impulse, sums);
@@ -251,8 +252,8 @@ void save_motion(const SpaceState &state, StateWriter &out)
 
 void load_motion(const StateReader &in, const std::size_t n_dofs, SpaceState &state)
 {
-  take_nodal(in.read_doubles("space/velocity", n_dofs), &Body<3>::velocity, state);
-  take_nodal(in.read_doubles("space/internal_force", n_dofs), &Body<3>::internal_force, state);
+  take_nodal(in.read_doubles("space/velocity", n_dofs), &NodalState<3>::velocity, state);
+  take_nodal(in.read_doubles("space/internal_force", n_dofs), &NodalState<3>::internal_force, state);
   const std::vector<double> sums = in.read_doubles("space/motion", 6);
   MotionBalance &balance = state.motion;
   balance.scheme_damping = sums[0];
@@ -289,7 +290,7 @@ void SpaceModel::save(StateWriter &out) const
             std::vector<double>{state.time, step_control.scale, last_dt, state.losses.regularisation,
                                 state.losses.released, state.dent_energy, state.losses.rubbed});
   out.write("space/steps", std::vector<std::uint64_t>{steps});
-  out.write("space/displacement", nodal(state, &Body<3>::displacement));
+  out.write("space/displacement", nodal(state, &NodalState<3>::displacement));
   out.write("space/held_back", state.held_back);
   out.write("space/walls", reordered(numbers_of(driven), places_of_numbers));
   save_obstacles(out, "space/obstacles", state.obstacles);
@@ -309,14 +310,14 @@ void SpaceModel::load(StateReader &in)
   const std::vector<double> times = in.read_doubles("space/time", 7);
   std::size_t n_dofs = 0;
   for (const Body<3> &body : state.bodies)
-    n_dofs += body.displacement.size();
+    n_dofs += body.nodes.displacement.size();
   const std::vector<double> nodes = in.read_doubles("space/displacement", n_dofs);
   take_numbers(reordered(in.read_doubles("space/walls", numbers_of_wall * driven.size()), places_in_file),
                driven);
   state.held_back = in.read_doubles("space/held_back", ListSize::rows_of(1));
   if (!state.held_back.empty() && state.held_back.size() != state.bodies.size())
     in.refuse("space/held_back", "there is another number of bodies");
-  take_nodal(nodes, &Body<3>::displacement, state);
+  take_nodal(nodes, &NodalState<3>::displacement, state);
   for (Body<3> &body : state.bodies)
     move_boundary(body);
   state.time = times[0];

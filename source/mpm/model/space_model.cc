@@ -141,9 +141,9 @@ void SpaceModel::add_body(const BodyDescription<3> &description,
   body.index = state.bodies.size();
   body.loads = loads;
   if (loads.look_at_points())
-    body.rest_position.resize(body.points.size());
-  for (std::size_t p = 0; p < body.rest_position.size(); ++p)
-    body.rest_position[body.points.number(p)] = body.points[p].position();
+    body.rest.position.resize(body.points.size());
+  for (std::size_t p = 0; p < body.rest.position.size(); ++p)
+    body.rest.position[body.points.number(p)] = body.points[p].position();
   body.boundary.grid_position = body.boundary.position = surface.vertices;
   body.boundary.circular = shape.round();
   start(description, body);
@@ -173,12 +173,12 @@ void SpaceModel::start(const BodyDescription<3> &description, Body<3> &body) con
     return;
   // Formulas are taken at the nodes, so that affine motions are exact.
   const std::vector<Expression> formulas = vector_expression(description.velocity, {"x", "y", "z"}, 3);
-  body.velocity = Eigen::VectorXd::Zero(body.field.n_dofs());
+  body.nodes.velocity = Eigen::VectorXd::Zero(body.field.n_dofs());
   for (unsigned int i = 0; i < body.field.n_independent(); ++i)
   {
-    const dealii::Point<3> x = body.field.position(body.field.node_of_independent(i));
+    const dealii::Point<3> x = body.field.place(i);
     for (unsigned int d = 0; d < 3; ++d)
-      body.velocity[3 * i + d] = formulas[d]({x[0], x[1], x[2]});
+      body.nodes.velocity[3 * i + d] = formulas[d]({x[0], x[1], x[2]});
   }
 }
 
@@ -186,7 +186,8 @@ double SpaceModel::cfl_step() const
 {
   double step = std::numeric_limits<double>::max();
   for (const Body<3> &body : state.bodies)
-    step = std::min(step, settings.cell_size * std::sqrt(body.density / body.law->wave_modulus()));
+    step = std::min(step, settings.cell_size *
+                              std::sqrt(body.material.density / body.material.law->wave_modulus()));
   return step;
 }
 
@@ -243,7 +244,7 @@ void SpaceModel::keep_before()
 {
   before_step = {{}, state, last_dt, driven, steps};
   for (const Body<3> &body : state.bodies)
-    before_step.displacement.push_back(body.displacement);
+    before_step.displacement.push_back(body.nodes.displacement);
   before_step.points = remembered_by_points(state.bodies);
 }
 
@@ -251,7 +252,7 @@ void SpaceModel::go_back()
 {
   for (Body<3> &body : state.bodies)
   {
-    body.displacement = before_step.displacement[body.index];
+    body.nodes.displacement = before_step.displacement[body.index];
     move_boundary(body);
   }
   take_points(before_step.points, state.bodies);

@@ -24,17 +24,18 @@ Energies SpaceModel::energies() const
 {
   Energies energies;
   energies.elastic = state.dent_energy;
-  for (const auto &[stored] : work.share.numbers<1>(
-           state.bodies,
-           [](const Body<3> &body)
-           {
-             return std::array<double, 1>{
-                 measure_points(body, body.displacement, Eigen::VectorXd::Zero(body.displacement.size()))
-                     .energy};
-           }))
+  for (const auto &[stored] :
+       work.share.numbers<1>(state.bodies,
+                             [](const Body<3> &body)
+                             {
+                               return std::array<double, 1>{
+                                   measure_points(body, body.nodes.displacement,
+                                                  Eigen::VectorXd::Zero(body.nodes.displacement.size()))
+                                       .energy};
+                             }))
     energies.elastic += stored;
   for (const Body<3> &body : state.bodies)
-    energies.kinetic += body.kinetic_energy();
+    energies.kinetic += body.nodes.kinetic_energy();
   energies.dissipated = state.losses.regularisation + state.losses.released + state.losses.rubbed +
                         state.motion.scheme_damping + state.motion.contact_loss + state.laws.loss;
   energies.external_work = state.load_work.sum() + state.laws.supply;
@@ -50,7 +51,7 @@ dealii::Tensor<1, 3> SpaceModel::momentum() const
 {
   dealii::Tensor<1, 3> sum;
   for (const Body<3> &body : state.bodies)
-    sum += body.momentum();
+    sum += body.nodes.momentum();
   return sum;
 }
 
@@ -66,7 +67,7 @@ double SpaceModel::energy_of_rounding() const
 {
   double sum = 0.;
   for (const Body<3> &body : state.bodies)
-    sum += 1e-12 * body.law->young_modulus() * body.rest_area;
+    sum += 1e-12 * body.material.law->young_modulus() * body.rest.area;
   return sum;
 }
 
@@ -75,7 +76,8 @@ StepState<3> SpaceModel::stress_of(const Body<3> &body) const
   StepState<3> stress;
   Trial asked;
   asked.tangent = false;
-  evaluate_stress(body, body.displacement, Eigen::VectorXd::Zero(body.displacement.size()), asked, stress);
+  evaluate_stress(body, body.nodes.displacement, Eigen::VectorXd::Zero(body.nodes.displacement.size()), asked,
+                  stress);
   return stress;
 }
 
@@ -146,7 +148,7 @@ std::vector<std::pair<std::string, double>> SpaceModel::works() const
   if (any_sides(driven) && !at_rest())
     columns.emplace_back("cell_work_J", state.motion.cell_work);
   if (std::any_of(state.bodies.begin(), state.bodies.end(),
-                  [](const Body<3> &body) { return body.law->is_active(); }))
+                  [](const Body<3> &body) { return body.material.law->is_active(); }))
     columns.emplace_back("growth_work_J", state.laws.supply);
   return columns;
 }
@@ -158,7 +160,7 @@ std::vector<std::pair<std::string, double>> SpaceModel::extra_history() const
     if (wall.description.drive->slides())
       columns.emplace_back(wall.description.name + "_tangential_force_N", state_of(wall).tangential_force);
   if (std::any_of(state.bodies.begin(), state.bodies.end(),
-                  [](const Body<3> &body) { return body.law->limits_step(); }))
+                  [](const Body<3> &body) { return body.material.law->limits_step(); }))
     columns.emplace_back("law_cuts", state.law_cuts);
   if (at_rest())
     return columns;
@@ -166,7 +168,7 @@ std::vector<std::pair<std::string, double>> SpaceModel::extra_history() const
   for (const Body<3> &body : state.bodies)
   {
     const WholeRotation<3> r = whole_rotation(body);
-    const Turn<3> rate = r.transpose() * body.velocity;
+    const Turn<3> rate = r.transpose() * body.nodes.velocity;
     for (unsigned int axis = 0; axis < 3; ++axis)
       rotational += 0.5 * rate[axis] * rate[axis] * rotary_inertia(body, Eigen::VectorXd(r.col(axis)));
   }

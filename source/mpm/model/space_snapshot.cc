@@ -13,34 +13,35 @@ BodyState<3> SpaceModel::body_state(const Body<3> &body) const
   result.name = body.name;
   result.outline.push_back(body.boundary.position);
   result.triangles = state.surfaces[body.index].triangles;
-  result.reference_area = body.rest_area;
-  result.mass = body.density * body.rest_area;
+  result.reference_area = body.rest.area;
+  result.mass = body.material.density * body.rest.area;
   result.center = body.center();
-  result.velocity = body.momentum() / body.mass.sum();
+  result.velocity = body.nodes.momentum() / body.nodes.mass.sum();
   return result;
 }
 
 void SpaceModel::add_points(const Body<3> &body, BodyState<3> &of_body, PointStates<3> &points) const
 {
-  Eigen::VectorXd all, velocity = Eigen::VectorXd::Zero(3 * body.field.n_nodes());
-  body.field.prolongate(body.displacement, all);
-  if (body.velocity.size() > 0)
-    body.field.prolongate(body.velocity, velocity);
+  Eigen::VectorXd all, velocity = Eigen::VectorXd::Zero(3 * body.field.nodes().n());
+  body.field.extension().prolongate(body.nodes.displacement, all);
+  if (body.nodes.velocity.size() > 0)
+    body.field.extension().prolongate(body.nodes.velocity, velocity);
   const StepState<3> here = stress_of(body);
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
     dealii::Point<3> x = body.points[p].position();
     dealii::Tensor<1, 3> v;
-    for (unsigned int k = 0; k < body.field.nodes_per_cell(); ++k)
+    for (unsigned int k = 0; k < body.field.cells().nodes_per_cell(); ++k)
       for (unsigned int d = 0; d < 3; ++d)
       {
-        x[d] += body.field.values(p)[k] * all[3 * body.field.point_nodes(p)[k] + d];
-        v[d] += body.field.values(p)[k] * velocity[3 * body.field.point_nodes(p)[k] + d];
+        x[d] += body.field.at_point(p).values[k] * all[3 * body.field.at_point(p).nodes[k] + d];
+        v[d] += body.field.at_point(p).values[k] * velocity[3 * body.field.at_point(p).nodes[k] + d];
       }
     const double J = determinant(here.gradient[p]), volume = J * body.points[p].rest_volume();
     // Laws of finite strain tell Kirchhoff's stress.
     const dealii::SymmetricTensor<2, 3> stress =
-        (remembers(body) ? body.points[p].stress() : here.stress[p]) / (body.small_strain() ? 1. : J);
+        (remembers(body) ? body.points[p].stress() : here.stress[p]) /
+        (body.material.small_strain() ? 1. : J);
     points.position.push_back(x);
     points.body.push_back(body.index);
     points.size.push_back(volume);
@@ -68,7 +69,7 @@ Snapshot<3> SpaceModel::snapshot() const
     result.bodies.push_back(of_body);
   }
   for (const Body<3> &body : state.bodies)
-    add_history_fields(*body.law, result.points);
+    add_history_fields(*body.material.law, result.points);
   std::size_t begin = 0;
   for (const Body<3> &body : state.bodies)
   {

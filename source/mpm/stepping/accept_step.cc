@@ -46,7 +46,7 @@ void move_bodies(const Problem &problem,
 {
   const double dt = step.plan.dt;
   for (Body<2> &body : state.bodies)
-    if (body.driven)
+    if (body.rigid.driven)
     {
       body.translate(dt * work.drive[body.index]);
       move_boundary(body);
@@ -59,15 +59,15 @@ void move_bodies(const Problem &problem,
              [&](Body<2> &body)
              {
                Eigen::VectorXd &v = step.velocity[body.index];
-               body.kept = problem.settings.scheme.integrator->kept(
+               body.nodes.kept = problem.settings.scheme.integrator->kept(
                    {body, step.plan, v, step.rate[body.index], step.external[body.index]});
-               std::swap(body.internal_force, step.internal_force[body.index]);
-               body.displacement += step.increment[body.index];
+               std::swap(body.nodes.internal_force, step.internal_force[body.index]);
+               body.nodes.displacement += step.increment[body.index];
                if (cell && cell->deforms())
                  body.translate(dt * cell->velocity(centers[body.index]));
-               if (body.velocity.size() > 0)
-                 std::swap(body.velocity, v);
-               if (body.field.knows_markers())
+               if (body.nodes.velocity.size() > 0)
+                 std::swap(body.nodes.velocity, v);
+               if (body.field.markers().size() > 0)
                  move_boundary(body);
              });
 }
@@ -89,7 +89,7 @@ void move_points(const Problem &problem, State &state, const Workspace &work)
         message.add(law_loss);
         message.add(law_supply);
         for (Body<2> &body : state.bodies)
-          if (!body.driven && problem.settings.meets_by_rays())
+          if (!body.rigid.driven && problem.settings.meets_by_rays())
             message.add_outline(body);
       });
   for (const double lost : law_loss)

@@ -14,14 +14,14 @@ double power(const Body<dim> &body, const dealii::Tensor<1, dim> &acceleration, 
   double sum = 0.;
   for (unsigned int i = 0; i < body.field.n_independent(); ++i)
     for (unsigned int d = 0; d < dim; ++d)
-      sum += body.mass[i] * acceleration[d] * rate[dim * i + d];
+      sum += body.nodes.mass[i] * acceleration[d] * rate[dim * i + d];
   return sum;
 }
 
 /// Whether only the owner of a body can tell what one of its loads does apart from the others.
 bool asks_owner(const Body<2> &body)
 {
-  return !body.driven && body.loads.size() > 1 &&
+  return !body.rigid.driven && body.loads.size() > 1 &&
          std::any_of(body.loads.begin(), body.loads.end() - 1,
                      [](const auto &load) { return !load->is_uniform(); });
 }
@@ -48,7 +48,7 @@ std::vector<std::vector<double>> powers(const State &state, const BodyShare &sha
     return of_bodies;
   }
   for (const Body<2> &body : state.bodies)
-    if (!body.driven && body.loads.size() > 1)
+    if (!body.rigid.driven && body.loads.size() > 1)
       find(body);
   return of_bodies;
 }
@@ -91,7 +91,7 @@ void account_loads(State &state, Workspace &work, const FoundStep &step)
   for (const Body<2> &body : state.bodies)
   {
     const Eigen::VectorXd &force = step.external[body.index];
-    if (body.driven || force.size() == 0)
+    if (body.rigid.driven || force.size() == 0)
       continue;
     // The last load has what is left, so that the sum is that of all.
     double left = force.dot(step.rate[body.index]) * dt;

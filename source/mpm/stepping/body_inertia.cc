@@ -17,8 +17,8 @@ template <int dim>
 double square_of_crossing(const Body<dim> &body)
 {
   const double ball = dim == 2 ? dealii::numbers::PI : 4. / 3. * dealii::numbers::PI;
-  const double radius = std::pow(body.rest_area / ball, 1. / dim);
-  return radius * radius * body.density / body.law->wave_modulus();
+  const double radius = std::pow(body.rest.area / ball, 1. / dim);
+  return radius * radius * body.material.density / body.material.law->wave_modulus();
 }
 } // namespace
 
@@ -36,7 +36,7 @@ void BodyInertia<dim>::begin(const Body<dim> &body,
   rotation = whole_rotation(body);
   half_turn.setZero();
   holding.setZero();
-  weight = keeps ? torque * beyond * body.law->young_modulus() * body.rest_area : 0.;
+  weight = keeps ? torque * beyond * body.material.law->young_modulus() * body.rest.area : 0.;
   note_load(body, load);
 }
 
@@ -46,21 +46,21 @@ void BodyInertia<dim>::note_load(const Body<dim> &body, const Eigen::VectorXd &l
   spin.setZero();
   if (!keeps || load.size() == 0)
     return;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    spin += dt / body.mass[i] *
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
+    spin += dt / body.nodes.mass[i] *
             (rotation.template middleRows<dim>(dim * i).transpose() * load.segment<dim>(dim * i));
 }
 
 template <int dim>
 Eigen::VectorXd BodyInertia<dim>::increment(const Body<dim> &body, const Eigen::VectorXd &v) const
 {
-  return dt * ((1. - theta) * body.velocity + theta * v);
+  return dt * ((1. - theta) * body.nodes.velocity + theta * v);
 }
 
 template <int dim>
 Eigen::VectorXd BodyInertia<dim>::end_velocity(const Body<dim> &body, const Eigen::VectorXd &way) const
 {
-  return (way / dt - (1. - theta) * body.velocity) / theta;
+  return (way / dt - (1. - theta) * body.nodes.velocity) / theta;
 }
 
 template <int dim>
@@ -75,9 +75,9 @@ void BodyInertia<dim>::find_missing(const Body<dim> &body,
   missing = dt * acting_force(body, internal);
   if (load.size() > 0)
     missing += dt * load;
-  const Eigen::VectorXd change = v - body.velocity;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    missing.segment<dim>(dim * i) -= body.mass[i] * change.segment<dim>(dim * i);
+  const Eigen::VectorXd change = v - body.nodes.velocity;
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
+    missing.segment<dim>(dim * i) -= body.nodes.mass[i] * change.segment<dim>(dim * i);
   if (!keeps)
     return;
   lever = whole_rotation<dim>(body, 0.5 * increment);
@@ -88,7 +88,7 @@ void BodyInertia<dim>::find_missing(const Body<dim> &body,
 template <int dim>
 Eigen::VectorXd BodyInertia<dim>::acting_force(const Body<dim> &body, const Eigen::VectorXd &internal) const
 {
-  const Eigen::VectorXd &before = body.internal_force;
+  const Eigen::VectorXd &before = body.nodes.internal_force;
   if (theta == 1.)
     return internal;
   if (half_turn.isZero(0.))
@@ -114,19 +114,19 @@ double BodyInertia<dim>::damping(const Body<dim> &body,
 {
   // What impulses and forces at theta do more than their mean over the step.
   double sum = 0.;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    sum += body.mass[i] * (v - body.velocity).template segment<dim>(dim * i).squaredNorm();
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
+    sum += body.nodes.mass[i] * (v - body.nodes.velocity).template segment<dim>(dim * i).squaredNorm();
   return (theta - 0.5) * sum +
-         (0.5 * (internal + body.internal_force) - acting_force(body, internal)).dot(increment);
+         (0.5 * (internal + body.nodes.internal_force) - acting_force(body, internal)).dot(increment);
 }
 
 template <int dim>
 typename BodyTerms<dim>::Momentum BodyInertia<dim>::momentum_of_nodes(const Body<dim> &body) const
 {
   typename BodyTerms<dim>::Momentum momentum;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
   {
-    const double of_node = body.mass[i] * body.velocity.template segment<dim>(dim * i).norm();
+    const double of_node = body.nodes.mass[i] * body.nodes.velocity.template segment<dim>(dim * i).norm();
     momentum.largest = std::max(momentum.largest, of_node);
     momentum.sum += of_node;
   }

@@ -17,8 +17,8 @@ void subtract_drag(const Body<dim> &body,
                    const Eigen::VectorXd &v,
                    Eigen::VectorXd &impulse)
 {
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    impulse.segment<dim>(dim * i) -= shift * std::abs(body.mass[i]) * v.segment<dim>(dim * i);
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
+    impulse.segment<dim>(dim * i) -= shift * std::abs(body.nodes.mass[i]) * v.segment<dim>(dim * i);
 }
 
 template <int dim>
@@ -30,7 +30,7 @@ void resist_more(const Body<dim> &body,
 {
   subtract_drag(body, more, v, missing);
   if (matrix != nullptr)
-    matrix->add_mass<dim>(body.mass.cwiseAbs(), more);
+    matrix->add_mass<dim>(body.nodes.mass.cwiseAbs(), more);
 }
 
 template void subtract_drag(const Body<2> &, double, const Eigen::VectorXd &, Eigen::VectorXd &);
@@ -42,9 +42,9 @@ resist_more(const Body<3> &, double, const Eigen::VectorXd &, Eigen::VectorXd &,
 
 BodyResistance::BodyResistance(const BodyStart &start)
     : dt(start.plan.dt)
-    , shift(start.plan.regularisation * dt * dt * start.softest / start.body.mass.sum())
+    , shift(start.plan.regularisation * dt * dt * start.softest / start.body.nodes.mass.sum())
     , weight(30. * (start.nothing_turns_it ? locked : start.plan.regularisation) * dt * dt * start.softest *
-             start.body.rest_area)
+             start.body.rest.area)
     , rotation(whole_rotation(start.body))
     , before(start.resistance)
 {
@@ -72,7 +72,7 @@ void BodyResistance::find_missing(const Body<2> &body,
 
 void BodyResistance::add_mass(const Body<2> &body, SystemMatrix &matrix) const
 {
-  matrix.add_mass<2>(body.mass.cwiseAbs(), shift);
+  matrix.add_mass<2>(body.nodes.mass.cwiseAbs(), shift);
 }
 
 void BodyResistance::resist_more(const Body<2> &body,
@@ -88,14 +88,14 @@ void BodyResistance::resist_more(const Body<2> &body,
 double BodyResistance::regularisation_work(const Body<2> &body, const Eigen::VectorXd &increment) const
 {
   // What is out of balance at the start goes over to this step: like walls, the mean of both ends.
-  const double mass = body.mass.sum();
+  const double mass = body.nodes.mass.sum();
   double work = 0.;
   dealii::Tensor<1, 2> way; // of the centre of mass
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
   {
     work += 0.5 * shift / (dt * dt) * drag(body, i) * increment.segment<2>(2 * i).squaredNorm();
     for (unsigned int d = 0; d < 2; ++d)
-      way[d] += body.mass[i] / mass * increment[2 * i + d];
+      way[d] += body.nodes.mass[i] / mass * increment[2 * i + d];
   }
   return work + 0.5 * before * way;
 }
@@ -103,7 +103,7 @@ double BodyResistance::regularisation_work(const Body<2> &body, const Eigen::Vec
 dealii::Tensor<1, 2> BodyResistance::resistance(const Body<2> &body, const Eigen::VectorXd &increment) const
 {
   dealii::Tensor<1, 2> force;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
     for (unsigned int d = 0; d < 2; ++d)
       force[d] += shift / (dt * dt) * drag(body, i) * increment[2 * i + d];
   return force;
@@ -112,7 +112,7 @@ dealii::Tensor<1, 2> BodyResistance::resistance(const Body<2> &body, const Eigen
 double BodyResistance::held_back(const Body<2> &body, const Eigen::VectorXd &increment) const
 {
   double sum = 0.;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
     sum += shift / (dt * dt) * drag(body, i) * increment.segment<2>(2 * i).norm();
   return sum;
 }

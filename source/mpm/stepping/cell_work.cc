@@ -11,11 +11,11 @@ measure_against_cell(const CellMotion<dim> &cell, const double dt, std::vector<B
   CellWork<dim> done;
   for (Body<dim> &body : bodies)
   {
-    const double mass = body.mass.sum();
-    const dealii::Tensor<1, dim> momentum = body.momentum(), change = again.change(mass, momentum);
-    for (unsigned int i = 0; i < body.mass.size(); ++i)
+    const double mass = body.nodes.mass.sum();
+    const dealii::Tensor<1, dim> momentum = body.nodes.momentum(), change = again.change(mass, momentum);
+    for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
       for (unsigned int d = 0; d < dim; ++d)
-        body.velocity[dim * i + d] += change[d];
+        body.nodes.velocity[dim * i + d] += change[d];
     done.impulse += mass * change;
     done.work += (momentum + 0.5 * mass * change) * change;
   }

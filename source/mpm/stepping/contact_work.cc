@@ -94,10 +94,11 @@ std::optional<double> energy_where_contact_gives(const std::vector<Body<dim>> &b
 {
   double kinetic = 0., floor = 0.;
   for (const Body<dim> &body : bodies)
-    if (!body.driven)
+    if (!body.rigid.driven)
     {
-      kinetic += body.kinetic_energy();
-      floor += floor_strain * floor_strain * body.law->young_modulus() * body.mass.sum() / body.density;
+      kinetic += body.nodes.kinetic_energy();
+      floor += floor_strain * floor_strain * body.material.law->young_modulus() * body.nodes.mass.sum() /
+               body.material.density;
     }
   // Most steps end here.
   if (given <= allowed * kinetic + floor)

@@ -55,8 +55,8 @@ void solve_contacts(const Problem &problem,
              {
                Eigen::VectorXd impulse = Eigen::VectorXd::Zero(v[body.index].size());
                work.contact.add_impulses(body.index, impulse);
-               for (unsigned int i = 0; i < body.mass.size(); ++i)
-                 v[body.index].segment<2>(2 * i) += impulse.segment<2>(2 * i) / body.mass[i];
+               for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
+                 v[body.index].segment<2>(2 * i) += impulse.segment<2>(2 * i) / body.nodes.mass[i];
              });
 }
 
@@ -67,12 +67,12 @@ void push_freely(const State &state, const double dt, const Vectors &external, V
              [&](const Body<2> &body)
              {
                const Eigen::VectorXd &load = external[body.index];
-               for (unsigned int i = 0; i < body.mass.size(); ++i)
+               for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
                {
                  auto velocity = v[body.index].segment<2>(2 * i);
-                 velocity += dt / body.mass[i] * body.internal_force.segment<2>(2 * i);
+                 velocity += dt / body.nodes.mass[i] * body.nodes.internal_force.segment<2>(2 * i);
                  if (load.size() > 0)
-                   velocity += dt / body.mass[i] * load.segment<2>(2 * i);
+                   velocity += dt / body.nodes.mass[i] * load.segment<2>(2 * i);
                }
              });
 }
@@ -94,8 +94,8 @@ std::string find_forces(const Problem &problem,
       [&](const Body<2> &body)
       {
         const unsigned int b = body.index;
-        stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
-                                    {half_dt, false, 0., dt, state.time + dt}, work.trial[b]);
+        stress[b] = evaluate_stress(body, Eigen::VectorXd(body.nodes.displacement + increment[b]),
+                                    increment[b], {half_dt, false, 0., dt, state.time + dt}, work.trial[b]);
         if (stress[b].good())
           internal_force(body, work.trial[b], forces[b]);
       },
@@ -122,7 +122,7 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
   const LoadTimes loads{state.time, state.time, dt, true};
   Vectors v(n_bodies), increment(n_bodies), external = external_forces(state.bodies, work.share, loads);
   for (const Body<2> &body : state.bodies)
-    v[body.index] = body.velocity;
+    v[body.index] = body.nodes.velocity;
   std::optional<RayRows> rays;
   if (problem.settings.meets_by_rays())
   {
@@ -159,7 +159,7 @@ StepOutcome explicit_step(const Problem &problem, State &state, Workspace &work,
   // energy balance of symplectic Euler exact up to the stored energy.
   Vectors rate(n_bodies);
   for (unsigned int b = 0; b < n_bodies; ++b)
-    rate[b] = 0.5 * (state.bodies[b].velocity + v[b]);
+    rate[b] = 0.5 * (state.bodies[b].nodes.velocity + v[b]);
   const ContactWork contact(state, work, dt, rate, motion, false);
   outcome.reason = why_contact_gives(problem, state, work, contact, increment);
   if (!outcome.reason.empty())

@@ -15,7 +15,7 @@ void add_at_nodes(const Body<dim> &body, const Acceleration &acceleration, Eigen
   {
     const dealii::Tensor<1, dim> a = acceleration(i);
     for (unsigned int d = 0; d < dim; ++d)
-      force[dim * i + d] += body.mass[i] * a[d];
+      force[dim * i + d] += body.nodes.mass[i] * a[d];
   }
 }
 
@@ -33,15 +33,15 @@ void add_at_points(const Body<dim> &body,
                    const Acceleration &acceleration,
                    Eigen::VectorXd &force)
 {
-  const unsigned int n = body.field.nodes_per_cell();
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(dim * body.field.n_nodes()), own, displacement;
-  body.field.prolongate(body.displacement, displacement);
+  const unsigned int n = body.field.cells().nodes_per_cell();
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(dim * body.field.nodes().n()), own, displacement;
+  body.field.extension().prolongate(body.nodes.displacement, displacement);
   LoadPlace<dim> place;
   place.time = time;
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
-    const unsigned int *nodes = body.field.point_nodes(p);
-    const double *value = body.field.values(p);
+    const unsigned int *nodes = body.field.at_point(p).nodes;
+    const double *value = body.field.at_point(p).values;
     const auto point = body.points[p];
     for (unsigned int d = 0; d < dim; ++d)
     {
@@ -49,7 +49,7 @@ void add_at_points(const Body<dim> &body,
       for (unsigned int k = 0; k < n; ++k)
         place.now[d] += value[k] * displacement[dim * nodes[k] + d];
     }
-    place.at_rest = body.rest_position[body.points.number(p)];
+    place.at_rest = body.rest.position[body.points.number(p)];
     const dealii::Tensor<1, dim> a = acceleration(place);
     for (unsigned int d = 0; d < dim; ++d)
     {
@@ -58,7 +58,7 @@ void add_at_points(const Body<dim> &body,
         all[dim * nodes[k] + d] += b * value[k];
     }
   }
-  body.field.restrict(all, own);
+  body.field.extension().restrict(all, own);
   force += own;
 }
 
@@ -67,12 +67,12 @@ template <int dim>
 LoadPlace<dim> node_at_start(const Body<dim> &body, const unsigned int i, const double time)
 {
   LoadPlace<dim> place;
-  place.now = body.field.position(body.field.node_of_independent(i));
+  place.now = body.field.place(i);
   place.time = time;
   for (unsigned int d = 0; d < dim; ++d)
   {
-    place.now[d] += body.displacement[dim * i + d];
-    place.velocity[d] = body.velocity[dim * i + d];
+    place.now[d] += body.nodes.displacement[dim * i + d];
+    place.velocity[d] = body.nodes.velocity[dim * i + d];
   }
   return place;
 }
@@ -194,7 +194,7 @@ void add_load_tangent(const Body<dim> &body,
     if (load->sees_velocity())
       for (unsigned int i = 0; i < body.field.n_independent(); ++i)
         matrix.add_node<dim>(i,
-                             -factor * body.mass[i] *
+                             -factor * body.nodes.mass[i] *
                                  symmetrize(load->velocity_tangent(node_halfway(body, i, times, increment))));
 }
 

@@ -18,13 +18,13 @@ external_forces(const std::vector<Body<2>> &bodies, const BodyShare &share, cons
   };
   // Points lie with the owner, and so do places of nodes.
   const auto is_for_one = [](const Body<2> &body)
-  { return !body.driven && (body.loads.look_at_points() || body.loads.see_velocity()); };
+  { return !body.rigid.driven && (body.loads.look_at_points() || body.loads.see_velocity()); };
   if (share.alone() || std::any_of(bodies.begin(), bodies.end(), is_for_one))
     share.for_mine(bodies, load,
                    [&](BodyShare::Message &message)
                    {
                      for (const Body<2> &body : bodies)
-                       if (!body.driven && !body.loads.empty())
+                       if (!body.rigid.driven && !body.loads.empty())
                        {
                          forces[body.index].conservativeResize(body.field.n_dofs());
                          message.add(body.index, forces[body.index].data(), forces[body.index].size());
@@ -35,7 +35,7 @@ external_forces(const std::vector<Body<2>> &bodies, const BodyShare &share, cons
                  [&](const std::size_t begin, const std::size_t end)
                  {
                    for (std::size_t b = begin; b < end; ++b)
-                     if (!bodies[b].driven)
+                     if (!bodies[b].rigid.driven)
                        load(bodies[b]);
                  });
   return forces;

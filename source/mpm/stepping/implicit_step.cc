@@ -97,7 +97,8 @@ bool ImplicitStep::first_guess()
   {
     for (unsigned int b = 0; b < trial.size(); ++b)
       if (work.share.mine(b))
-        trial[b] = rest ? Eigen::VectorXd::Zero(state.bodies[b].field.n_dofs()) : state.bodies[b].velocity;
+        trial[b] =
+            rest ? Eigen::VectorXd::Zero(state.bodies[b].field.n_dofs()) : state.bodies[b].nodes.velocity;
     if (!equations.evaluate(trial))
       continue;
     follow_free_walls(problem, work, motion);

@@ -9,14 +9,14 @@ template <int dim>
 bool any_history(const std::vector<Body<dim>> &bodies)
 {
   return std::any_of(bodies.begin(), bodies.end(),
-                     [](const Body<dim> &body) { return body.law->n_history() > 0; });
+                     [](const Body<dim> &body) { return body.material.law->n_history() > 0; });
 }
 
 template <int dim>
 WorkOfLaw keep_points(const StepState<dim> &trial, Body<dim> &body)
 {
   WorkOfLaw work;
-  const unsigned int n_history = body.law->n_history();
+  const unsigned int n_history = body.material.law->n_history();
   for (std::size_t p = 0; p < body.points.size(); ++p)
   {
     auto point = body.points[p];

@@ -39,8 +39,8 @@ void MovingEquations::find_missing(const Body<3> &body, const Eigen::VectorXd &v
 double MovingEquations::rounding(const Body<3> &body, const double contact) const
 {
   double moved = plan.dt * external[body.index].norm();
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    moved += std::abs(body.mass[i]) * body.velocity.segment<3>(3 * i).norm();
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
+    moved += std::abs(body.nodes.mass[i]) * body.nodes.velocity.segment<3>(3 * i).norm();
   return SpaceEquations::rounding(body, contact) + std::numeric_limits<double>::epsilon() * moved;
 }
 
@@ -56,7 +56,7 @@ void MovingEquations::assemble_exact(const Body<3> &body)
   // A ball that is pulled has no stiffness against a turn to be taken back.
   const double weight = inertia[b].held_weight(body, work.trial[b]);
   work.solvers[b]->set_update(weight > 0. ? Eigen::MatrixXd(inertia[b].held())
-                                          : Eigen::MatrixXd(body.displacement.size(), 0),
+                                          : Eigen::MatrixXd(body.nodes.displacement.size(), 0),
                               weight);
 }
 } // namespace softgrain::mpm

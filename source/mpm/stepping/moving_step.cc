@@ -54,7 +54,7 @@ MovingStep::MovingStep(SpaceState &state,
     , obstacle_work(motion.obstacles.size(), 0.)
 {
   for (const Body<3> &body : state.bodies)
-    scene.ways.own.push_back(plan.dt * mpm::largest_way(body, body.velocity));
+    scene.ways.own.push_back(plan.dt * mpm::largest_way(body, body.nodes.velocity));
 }
 
 std::string MovingStep::find()
@@ -99,7 +99,7 @@ std::string MovingStep::why_contact_gives() const
              {
                const Eigen::VectorXd &gone = way[body.index];
                return std::array<double, 1>{
-                   measure_points(body, Eigen::VectorXd(body.displacement + gone), gone).energy};
+                   measure_points(body, Eigen::VectorXd(body.nodes.displacement + gone), gone).energy};
              }))
       sum += energy;
     return sum;
@@ -118,9 +118,9 @@ MovingStep::OfBody MovingStep::end_of(const Body<3> &body)
   told[0] = moving.damping(b, trial[b]);
   told[1] = moving.held_work(b);
   const Eigen::VectorXd &load = moving.external[b];
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
   {
-    told[2] += std::abs(body.mass[i]) * trial[b].segment<3>(3 * i).norm();
+    told[2] += std::abs(body.nodes.mass[i]) * trial[b].segment<3>(3 * i).norm();
     for (unsigned int d = 0; d < 3 && load.size() > 0; ++d)
       told[3 + d] += plan.dt * load[3 * i + d];
   }
@@ -135,17 +135,17 @@ void MovingStep::accept_motion(SpaceState &state)
       [&](Body<3> &body)
       {
         told[body.index] = end_of(body);
-        body.velocity = trial[body.index];
-        body.internal_force = moving.internal[body.index];
+        body.nodes.velocity = trial[body.index];
+        body.nodes.internal_force = moving.internal[body.index];
       },
       [&](BodyShare::Message &message)
       {
         for (Body<3> &body : state.bodies)
         {
-          body.internal_force.resize(body.velocity.size());
+          body.nodes.internal_force.resize(body.nodes.velocity.size());
           message.add(body.index, told[body.index].data(), told[body.index].size());
-          message.add(body.index, body.velocity.data(), body.velocity.size());
-          message.add(body.index, body.internal_force.data(), body.internal_force.size());
+          message.add(body.index, body.nodes.velocity.data(), body.nodes.velocity.size());
+          message.add(body.index, body.nodes.internal_force.data(), body.nodes.internal_force.size());
         }
       });
   MotionBalance &balance = state.motion;

@@ -55,7 +55,7 @@ std::string NewtonSearch::go(Vectors &trial,
   x.resize(trial.size());
   from.resize(trial.size());
   for (unsigned int b = 0; b < trial.size(); ++b)
-    if (!state.bodies[b].driven && work.share.mine(b))
+    if (!state.bodies[b].rigid.driven && work.share.mine(b))
     {
       x[b] = trial[b];
       from[b] = equations.increment[b];

@@ -44,7 +44,7 @@ PlanePartners::PlanePartners(State &state, const Workspace &work, const FoundSte
     numbered.push_back(std::make_unique<ObstaclePartner<2>>(obstacle, step.balanced));
   driven_bodies.resize(state.bodies.size());
   for (const Body<2> &body : state.bodies)
-    if (body.driven)
+    if (body.rigid.driven)
       driven_bodies[body.index] =
           std::make_unique<DrivenBodyPartner>(work.drive[body.index], state.balance.driven_work);
 }

@@ -27,7 +27,7 @@ std::vector<PlaneScene::Vector> PlaneScene::ways_of_bodies() const
 {
   std::vector<Vector> ways(state.bodies.size());
   for (const Body<2> &body : state.bodies)
-    if (body.driven)
+    if (body.rigid.driven)
       ways[body.index] = dt * work.drive[body.index];
     else if (cell)
       ways[body.index] = dt * cell->velocity(body.center());
@@ -40,9 +40,9 @@ std::vector<double> PlaneScene::own_ways() const
   std::vector<double> ways;
   if (problem.settings.scheme.ends_in_balance())
     return ways;
-  for (const auto &way :
-       work.share.numbers<1>(state.bodies, [&](const Body<2> &body)
-                             { return std::array<double, 1>{dt * mpm::largest_way(body, body.velocity)}; }))
+  for (const auto &way : work.share.numbers<1>(
+           state.bodies, [&](const Body<2> &body)
+           { return std::array<double, 1>{dt * mpm::largest_way(body, body.nodes.velocity)}; }))
     ways.push_back(way[0]);
   return ways;
 }
@@ -53,7 +53,7 @@ double PlaneScene::largest_way() const
   for (const auto &line : lines)
     way = std::max(way, line->largest_way());
   for (const Body<2> &body : state.bodies)
-    if (body.driven)
+    if (body.rigid.driven)
       way = std::max(way, dt * work.drive[body.index].norm());
   return way;
 }

@@ -77,11 +77,11 @@ double unbalanced_force(const Problem &problem,
   for (const auto &pair : pairs)
     mean += pair.second.norm() / pairs.size();
   for (const Body<2> &body : state.bodies)
-    if (!body.driven)
+    if (!body.rigid.driven)
     {
       net[body.index] += loads[body.index];
       worst = std::max(worst, net[body.index].norm());
-      floor = std::max(floor, 1e-6 * body.law->young_modulus() * problem.lattice->cell_size());
+      floor = std::max(floor, 1e-6 * body.material.law->young_modulus() * problem.lattice->cell_size());
     }
   return worst / std::max(mean, floor);
 }

@@ -73,7 +73,8 @@ typename RayEquations<dim>::Vectors RayEquations<dim>::free_way() const
 {
   Vectors ways = at_rest;
   for (const Body<dim> &body : world.bodies)
-    if (const Eigen::VectorXd &rate = inertia ? body.velocity : body.kept; !body.driven && rate.size() > 0)
+    if (const Eigen::VectorXd &rate = inertia ? body.nodes.velocity : body.nodes.kept;
+        !body.rigid.driven && rate.size() > 0)
       ways[body.index] = plan.dt * rate;
   return ways;
 }
@@ -93,7 +94,7 @@ bool RayEquations<dim>::evaluate(const Vectors &to)
   move_free_walls();
   trial.resize(to.size());
   for (const Body<dim> &body : world.bodies)
-    if (!body.driven && world.share.mine(body.index))
+    if (!body.rigid.driven && world.share.mine(body.index))
       trial[body.index] = equations.end_velocity(body, to[body.index]);
   not_met = none;
   return equations.evaluate(trial) && meet(to);
@@ -104,7 +105,7 @@ bool RayEquations<dim>::meet(const Vectors &to)
 {
   displacement.resize(to.size());
   for (unsigned int b = 0; b < to.size(); ++b)
-    displacement[b] = world.bodies[b].displacement + scene.instants.met_at * to[b];
+    displacement[b] = world.bodies[b].nodes.displacement + scene.instants.met_at * to[b];
   dealii::TimerOutput::Scope section(world.timer, "contact search");
   meet_frames(world.share, scene, force, displacement, to, path, 2. * candidates_within() + largest_way(),
               frames);
@@ -199,8 +200,8 @@ template <int dim>
 double RayEquations<dim>::momentum_of_nodes(const Body<dim> &body) const
 {
   double sum = 0.;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    sum += (body.mass[i] * body.velocity.template segment<dim>(dim * i)).squaredNorm();
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
+    sum += (body.nodes.mass[i] * body.nodes.velocity.template segment<dim>(dim * i)).squaredNorm();
   return std::sqrt(sum);
 }
 
@@ -219,7 +220,7 @@ void RayEquations<dim>::measure()
         const unsigned int b = body.index;
         const Eigen::VectorXd contact = contact_forces(b);
         double largest = std::max({contact.norm(), equations.internal[b].norm(),
-                                   1e-8 * body.law->wave_modulus() * (dim == 2 ? h : h * h)});
+                                   1e-8 * body.material.law->wave_modulus() * (dim == 2 ? h : h * h)});
         if (inertia)
           largest =
               std::max({largest, 1e-6 / plan.dt * momentum_of_nodes(body), equations.external[b].norm()});

@@ -193,7 +193,7 @@ void RayNewton<dim>::follow_forces(Vectors &direction)
       [&](BodyShare::Message &message)
       {
         for (const Body<dim> &body : world.bodies)
-          if (!body.driven)
+          if (!body.rigid.driven)
             message.add(body.index, direction[body.index].data(), direction[body.index].size());
       });
 }
@@ -295,9 +295,9 @@ template <int dim>
 bool RayNewton<dim>::begin()
 {
   const bool adheres = scene.adhesion != nullptr;
-  const bool goes_on =
-      inertia || (!plan.held && std::any_of(world.bodies.begin(), world.bodies.end(),
-                                            [](const Body<dim> &body) { return body.kept.size() > 0; }));
+  const bool goes_on = inertia || (!plan.held && std::any_of(world.bodies.begin(), world.bodies.end(),
+                                                             [](const Body<dim> &body)
+                                                             { return body.nodes.kept.size() > 0; }));
   if (goes_on || adheres)
     if (!meet(way))
       leave_unmet_rays();

@@ -45,7 +45,7 @@ void RayRows::meet(const std::vector<Eigen::VectorXd> &way)
   std::vector<Eigen::VectorXd> displacement;
   for (const Body<2> &body : state.bodies)
   {
-    displacement.push_back(body.displacement + scene.instants.met_at * way[body.index]);
+    displacement.push_back(body.nodes.displacement + scene.instants.met_at * way[body.index]);
     path = std::max(path, h + way[body.index].lpNorm<Eigen::Infinity>());
   }
   meet_frames(work.share, scene, force, displacement, way, path, within, frames);
@@ -68,8 +68,8 @@ void RayRows::find()
   for (FrameState<2> &frame : frames)
     FrameAdhesion<2>::find_pulls(frame, scene, false);
   for (const Body<2> &body : state.bodies)
-    if (!body.driven)
-      way[body.index] = dt * body.velocity;
+    if (!body.rigid.driven)
+      way[body.index] = dt * body.nodes.velocity;
   meet(way);
   std::vector<ContactRow<2>> rows;
   ray.clear();

@@ -111,7 +111,7 @@ double unbalanced_rays(const std::vector<Body<dim>> &bodies,
   for (const Body<dim> &body : bodies)
   {
     worst = std::max(worst, held_back[body.index]);
-    floor = std::max(floor, least_force * body.law->young_modulus() *
+    floor = std::max(floor, least_force * body.material.law->young_modulus() *
                                 (dim == 2 ? cell_size : cell_size * cell_size));
   }
   return worst / std::max(sum / std::max(n_pressed, 1u), floor);

@@ -75,7 +75,7 @@ void heed_laws(const std::vector<Body<dim>> &bodies,
   // A little shorter than asked for, so that the next attempt is not refused by rounding.
   outcome.share = 0.95 * stress[first].share;
   std::ostringstream text;
-  text << "the law of body '" << bodies[first].name << "', '" << bodies[first].law->title()
+  text << "the law of body '" << bodies[first].name << "', '" << bodies[first].material.law->title()
        << "', allows no more than " << stress[first].share << " of this step";
   outcome.reason = text.str();
 }

@@ -51,24 +51,24 @@ Flight<2> flight_of(const Flight<2>::Numbers &n)
 /// Balls, the only bodies in space, are as wide as they are at rest.
 double width_of(const Body<3> &body)
 {
-  return std::cbrt(6. / M_PI * body.rest_area);
+  return std::cbrt(6. / M_PI * body.rest.area);
 }
 
 template <int dim>
 Flight<dim> flight_of(const Body<dim> &body, const dealii::Tensor<1, dim> &drive)
 {
   Flight<dim> flight;
-  const unsigned int n = body.velocity.size() / dim;
-  const double mass = body.mass.sum();
+  const unsigned int n = body.nodes.velocity.size() / dim;
+  const double mass = body.nodes.mass.sum();
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int d = 0; d < dim; ++d)
-      flight.velocity[d] += body.mass[i] / mass * body.velocity[dim * i + d];
-  if (body.driven)
+      flight.velocity[d] += body.nodes.mass[i] / mass * body.nodes.velocity[dim * i + d];
+  if (body.rigid.driven)
     flight.velocity = drive;
   else if (n > 0)
   {
     // Of the outline, not of the nodes: those on the rim may be fast and move nothing.
-    Eigen::VectorXd about_mean = body.velocity;
+    Eigen::VectorXd about_mean = body.nodes.velocity;
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int d = 0; d < dim; ++d)
         about_mean[dim * i + d] -= flight.velocity[d];
@@ -149,7 +149,7 @@ double safe_from_bodies(const std::vector<Body<dim>> &bodies,
   for (unsigned int a = 0; a < flights.size(); ++a)
     for (unsigned int b = 0; b < a; ++b)
     {
-      const bool one_driven = bodies[a].driven, other_driven = bodies[b].driven;
+      const bool one_driven = bodies[a].rigid.driven, other_driven = bodies[b].rigid.driven;
       if (one_driven && other_driven)
         continue;
       const Flight<dim> &one = flights[a], &other = flights[b];
@@ -188,7 +188,7 @@ double safe_from_obstacles(const Problem &problem,
         }
       }
     for (unsigned int b = 0; b < flights.size(); ++b)
-      if (!state.bodies[b].driven)
+      if (!state.bodies[b].rigid.driven)
         step = std::min(step, time_of_way(std::max(std::min(largest_way_in_widths * flights[b].width, reach),
                                                    distance(flights[b], line)),
                                           flights[b].velocity.norm() + flights[b].spread + speed,
@@ -236,14 +236,15 @@ double safe_step(const Problem &problem, const State &state, const Workspace &wo
                                                              { return flight_of(body, Vector()).numbers(); });
   std::vector<Flight<2>> flights;
   for (const Body<2> &body : state.bodies)
-    flights.push_back(body.driven ? flight_of(body, work.drive[body.index]) : flight_of(told[body.index]));
+    flights.push_back(body.rigid.driven ? flight_of(body, work.drive[body.index])
+                                        : flight_of(told[body.index]));
   if (state.repeats())
     return safe_in_cell(problem, state, flights, reach, dt);
   double step = safe_from_bodies(state.bodies, pull_of(problem, state), flights, reach, dt);
   step = safe_from_obstacles(problem, state, flights, reach, step);
   if (!follow)
     for (unsigned int b = 0; b < flights.size(); ++b)
-      if (!state.bodies[b].driven)
+      if (!state.bodies[b].rigid.driven)
         step = safe_from_walls(problem, state, flights[b], reach, step);
   return step;
 }

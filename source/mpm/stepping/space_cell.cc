@@ -20,16 +20,16 @@ void SpaceCell::add(const Body<3> &body,
                     const double factor,
                     SystemMatrix &matrix)
 {
-  const unsigned int first = body.field.first_point(cell);
-  const unsigned int n_points = body.field.first_point(cell + 1) - first;
+  const unsigned int first = body.field.cells().first_point(cell);
+  const unsigned int n_points = body.field.cells().first_point(cell + 1) - first;
   if (n_points == 0)
     return;
-  const int m = body.field.cell_independent(cell).size(), n_rows = DenseKernels::filled(m),
+  const int m = body.field.cells().independent(cell).size(), n_rows = DenseKernels::filled(m),
             n_columns = DenseKernels::filled(6 * m);
   const DenseKernels::Out slopes = slope_columns.find(body, s, cell, n_rows);
   const DenseKernels::Out response = of_response.sized(n_columns, 3 * n_points);
   const DenseKernels::Out blocks = of_blocks.sized(n_rows, n_columns);
-  const bool geometric = !body.small_strain();
+  const bool geometric = !body.material.small_strain();
   for (unsigned int q = 0; q < n_points; ++q)
   {
     const double v = factor * s.volume[first + q];

@@ -67,12 +67,12 @@ SpaceEquations::SpaceEquations(const std::vector<Body<3>> &bodies,
                         if (!external_force(body, loads, external[b]))
                           external[b].resize(0);
                         const double dt_2 = plan.dt * plan.dt;
-                        shift[b] =
-                            plan.regularisation * dt_2 * young * std::cbrt(body.rest_area) / body.mass.sum();
+                        shift[b] = plan.regularisation * dt_2 * young * std::cbrt(body.rest.area) /
+                                   body.nodes.mass.sum();
                         rotations[b] = frictionless ? Eigen::MatrixXd(whole_rotation(body))
-                                                    : Eigen::MatrixXd(body.displacement.size(), 0);
+                                                    : Eigen::MatrixXd(body.nodes.displacement.size(), 0);
                         rotation_weight[b] = 30. * (body.boundary.circular ? locked : plan.regularisation) *
-                                             dt_2 * young * body.rest_area;
+                                             dt_2 * young * body.rest.area;
                       });
 }
 
@@ -92,8 +92,8 @@ bool SpaceEquations::evaluate(const Vectors &v)
         asked.max_strain = settings.max_strain;
         asked.dt = plan.law_dt();
         asked.time = end;
-        stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
-                                    asked, work.trial[b]);
+        stress[b] = evaluate_stress(body, Eigen::VectorXd(body.nodes.displacement + increment[b]),
+                                    increment[b], asked, work.trial[b]);
         if (!stress[b].good())
           return;
         internal_force(body, work.trial[b], internal[b]);
@@ -140,7 +140,7 @@ void SpaceEquations::assemble_exact(const Body<3> &body)
   SystemMatrix &matrix = work.matrices[b];
   matrix.set_zero();
   add_stiffness(body, work.trial[b], plan.dt * plan.dt, matrix);
-  matrix.add_mass<3>(body.mass.cwiseAbs(), shift[b]);
+  matrix.add_mass<3>(body.nodes.mass.cwiseAbs(), shift[b]);
   work.solvers[b]->set_update(rotations[b], rotation_weight[b]);
 }
 
@@ -165,8 +165,9 @@ double SpaceEquations::held_back(const unsigned int b) const
 {
   const Body<3> &body = bodies[b];
   double sum = 0.;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    sum += shift[b] / (plan.dt * plan.dt) * std::abs(body.mass[i]) * increment[b].segment<3>(3 * i).norm();
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
+    sum +=
+        shift[b] / (plan.dt * plan.dt) * std::abs(body.nodes.mass[i]) * increment[b].segment<3>(3 * i).norm();
   return sum;
 }
 
@@ -174,8 +175,8 @@ double SpaceEquations::regularisation_work(const unsigned int b) const
 {
   const Body<3> &body = bodies[b];
   double sum = 0.;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    sum += 0.5 * shift[b] / (plan.dt * plan.dt) * std::abs(body.mass[i]) *
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
+    sum += 0.5 * shift[b] / (plan.dt * plan.dt) * std::abs(body.nodes.mass[i]) *
            increment[b].segment<3>(3 * i).squaredNorm();
   return sum;
 }

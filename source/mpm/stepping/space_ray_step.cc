@@ -235,7 +235,7 @@ void SpaceRayStep::move_bodies(SpaceState &state)
                {
                  for (std::size_t b = begin; b < end; ++b)
                  {
-                   state.bodies[b].displacement += way[b];
+                   state.bodies[b].nodes.displacement += way[b];
                    move_boundary(state.bodies[b]);
                  }
                });

@@ -35,7 +35,7 @@ std::string StepContact::solve_condensed(const Vectors &trial, const Vectors &di
 {
   free.resize(trial.size());
   for (unsigned int b = 0; b < trial.size(); ++b)
-    if (!state.bodies[b].driven && work.share.mine(b))
+    if (!state.bodies[b].rigid.driven && work.share.mine(b))
       free[b] = trial[b] + direction[b];
   return solve(free, false);
 }
@@ -46,11 +46,11 @@ std::string StepContact::solve_lumped(const Vectors &trial)
   // The momentum balance at the present iterate, solved for the contact velocities with the masses alone.
   Vectors v = trial;
   for (unsigned int b = 0; b < trial.size(); ++b)
-    if (!state.bodies[b].driven && work.share.mine(b))
+    if (!state.bodies[b].rigid.driven && work.share.mine(b))
     {
       const Eigen::VectorXd R = equations.unbalanced(b);
-      for (unsigned int i = 0; i < state.bodies[b].mass.size(); ++i)
-        v[b].segment<2>(2 * i) += R.segment<2>(2 * i) / state.bodies[b].mass[i];
+      for (unsigned int i = 0; i < state.bodies[b].nodes.mass.size(); ++i)
+        v[b].segment<2>(2 * i) += R.segment<2>(2 * i) / state.bodies[b].nodes.mass[i];
     }
   return solve(v, true);
 }

@@ -39,7 +39,7 @@ StepEquations::StepEquations(const Problem &problem,
   if (std::any_of(state.bodies.begin(), state.bodies.end(), sees_velocity))
     fixed_external = external;
   for (const Body<2> &body : state.bodies)
-    if (body.driven)
+    if (body.rigid.driven)
       increment[body.index] = Eigen::VectorXd::Zero(body.field.n_dofs());
   const double softest = mpm::softest(state.bodies);
   for_moving(state.bodies,
@@ -61,7 +61,7 @@ void StepEquations::rows_changed()
     return;
   start_relative = work.contact.relative_velocity(work.share, state.bodies, work.drive,
                                                   [&](const unsigned int b) -> const Eigen::VectorXd &
-                                                  { return state.bodies[b].velocity; });
+                                                  { return state.bodies[b].nodes.velocity; });
 }
 
 bool StepEquations::evaluate(const Vectors &v)
@@ -88,8 +88,9 @@ bool StepEquations::evaluate_after(const std::function<void(unsigned int)> &befo
         const unsigned int b = body.index;
         before(b);
         increment[b] = scheme_terms[b]->increment(body, v[b]);
-        stress[b] = evaluate_stress(body, Eigen::VectorXd(body.displacement + increment[b]), increment[b],
-                                    {half_dt, true, problem.settings.max_strain, law_dt, end}, work.trial[b]);
+        stress[b] =
+            evaluate_stress(body, Eigen::VectorXd(body.nodes.displacement + increment[b]), increment[b],
+                            {half_dt, true, problem.settings.max_strain, law_dt, end}, work.trial[b]);
         if (!stress[b].good())
           return;
         internal_force(body, work.trial[b], internal[b]);
@@ -145,8 +146,8 @@ void StepEquations::measure(const Body<2> &body, const Eigen::VectorXd &v)
   if (external[b].size() > 0)
     scale = std::max(scale, dt * external[b].norm());
   // Stresses below this are rounding: of a strain of order one, or of a gradient of what has moved far.
-  const double moved = body.displacement.lpNorm<Eigen::Infinity>();
-  scale = std::max(scale, std::max(1e-9, 1e-10 * moved / h) * dt * body.law->wave_modulus() * h);
+  const double moved = body.nodes.displacement.lpNorm<Eigen::Infinity>();
+  scale = std::max(scale, std::max(1e-9, 1e-10 * moved / h) * dt * body.material.law->wave_modulus() * h);
   measured[b] = {unbalanced(b).squaredNorm(), (missing_impulse[b] + contact).norm(), scale, v.squaredNorm()};
 }
 
@@ -192,8 +193,8 @@ Eigen::VectorXd StepEquations::go(const unsigned int b, const Way &way, const do
 {
   // A trial is a velocity; theta dt of it is displacement.
   Eigen::VectorXd step = (fraction * scheme.theta * dt) * way.direction[b];
-  turn_along_circles(state.bodies[b], scheme_terms[b]->turn(), state.bodies[b].displacement + way.from[b],
-                     step);
+  turn_along_circles(state.bodies[b], scheme_terms[b]->turn(),
+                     state.bodies[b].nodes.displacement + way.from[b], step);
   return way.x[b] + step / (scheme.theta * dt);
 }
 } // namespace softgrain::mpm

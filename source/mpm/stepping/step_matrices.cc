@@ -49,7 +49,7 @@ std::string StepEquations::factorise()
                                  if (!pending[b])
                                    return;
                                  assemble_exact(body);
-                                 work.matrices[b].add_mass<2>(body.mass, more[b]);
+                                 work.matrices[b].add_mass<2>(body.nodes.mass, more[b]);
                                });
     };
     const auto factorise_mine = [&]()
@@ -63,8 +63,8 @@ std::string StepEquations::factorise()
                                    pending[b] = !work.solvers[b]->factorize(work.matrices[b]);
                                  if (pending[b])
                                    more[b] = std::max(rise * more[b], first_shift * dt * dt *
-                                                                          body.law->young_modulus() /
-                                                                          body.mass.sum());
+                                                                          body.material.law->young_modulus() /
+                                                                          body.nodes.mass.sum());
                                });
     };
     work.share.together(
@@ -76,7 +76,7 @@ std::string StepEquations::factorise()
         [&](BodyShare::Message &message) { message.add(pending); });
     const auto unstable =
         std::find_if(state.bodies.begin(), state.bodies.end(),
-                     [&](const Body<2> &body) { return !body.driven && pending[body.index]; });
+                     [&](const Body<2> &body) { return !body.rigid.driven && pending[body.index]; });
     if (unstable == state.bodies.end())
       return "";
     if (attempt == most_attempts)

@@ -16,21 +16,21 @@ double summed_in_forces(const Body<dim> &body,
                         const double internal,
                         const double dt)
 {
-  const unsigned int n = body.field.nodes_per_cell();
+  const unsigned int n = body.field.cells().nodes_per_cell();
   // A strain is a difference of numbers of order one, and of displacements over the size of a cell: that is
   // what stresses round by, times the modulus, whatever their own size.
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(dim * body.field.n_nodes()), own;
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(dim * body.field.nodes().n()), own;
   for (unsigned int p = 0; p < body.points.size(); ++p)
   {
-    const unsigned int *const nodes = body.field.point_nodes(p);
-    const dealii::Tensor<1, dim> *const slope = body.field.slopes(p);
+    const unsigned int *const nodes = body.field.at_point(p).nodes;
+    const dealii::Tensor<1, dim> *const slope = body.field.at_point(p).slopes;
     for (unsigned int k = 0; k < n; ++k)
       for (unsigned int d = 0; d < dim; ++d)
         all[dim * nodes[k] + d] += trial.volume[p] * slope[k].norm();
   }
-  body.field.restrict(all, own);
-  const double moved = body.displacement.template lpNorm<Eigen::Infinity>() / cell_size;
-  return dt * body.law->wave_modulus() * (1. + moved) * own.norm() + contact + dt * internal;
+  body.field.extension().restrict(all, own);
+  const double moved = body.nodes.displacement.template lpNorm<Eigen::Infinity>() / cell_size;
+  return dt * body.material.law->wave_modulus() * (1. + moved) * own.norm() + contact + dt * internal;
 }
 
 template double summed_in_forces(const Body<2> &, const StepState<2> &, double, double, double, double);
@@ -59,7 +59,7 @@ bool StepEquations::at_rounding() const
                                                });
   for (const Body<2> &body : state.bodies)
     // What is not a number is not rounding.
-    if (!body.driven && !(measured[body.index][1] <= of_bodies[body.index][0]))
+    if (!body.rigid.driven && !(measured[body.index][1] <= of_bodies[body.index][0]))
       return false;
   return true;
 }
@@ -68,7 +68,7 @@ std::string StepEquations::worst_body() const
 {
   const Body<2> *worst = nullptr;
   for (const Body<2> &body : state.bodies)
-    if (!body.driven && (worst == nullptr || !(measured[body.index][1] <= measured[worst->index][1])))
+    if (!body.rigid.driven && (worst == nullptr || !(measured[body.index][1] <= measured[worst->index][1])))
       worst = &body;
   std::ostringstream text;
   if (worst != nullptr)

@@ -35,11 +35,13 @@ void add_dilatation_terms(const Body<dim> &body,
   const unsigned int n = mean.size();
   CellSlopes<dim> slopes;
   double pressure_sum = 0.;
-  for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
-    pressure_sum += body.averaged * s.volume[p] * trace(s.stress[p]) / dim;
+  for (unsigned int p = body.field.cells().first_point(cell); p < body.field.cells().first_point(cell + 1);
+       ++p)
+    pressure_sum += body.material.averaged * s.volume[p] * trace(s.stress[p]) / dim;
   const auto add = [&](const unsigned int i, const unsigned int d, const unsigned int j, const unsigned int e,
                        const double value) { local(dim * i + d, dim * j + e) += value; };
-  for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
+  for (unsigned int p = body.field.cells().first_point(cell); p < body.field.cells().first_point(cell + 1);
+       ++p)
   {
     current_slopes(body, s, p, slopes);
     const auto &tau = s.stress[p];
@@ -52,14 +54,14 @@ void add_dilatation_terms(const Body<dim> &body,
         for (unsigned int d = 0; d < dim; ++d)
           for (unsigned int e = 0; e < dim; ++e)
           {
-            const double si = body.averaged * (mean[i][d] - slopes[i][d]) / dim,
-                         sj = body.averaged * (mean[j][e] - slopes[j][e]) / dim;
+            const double si = body.material.averaged * (mean[i][d] - slopes[i][d]) / dim,
+                         sj = body.material.averaged * (mean[j][e] - slopes[j][e]) / dim;
             const double ti = dealii::Tensor<1, dim>(tau * slopes[i])[d],
                          tj = dealii::Tensor<1, dim>(tau * slopes[j])[e];
             const double cross = slopes[i][e] * slopes[j][d];
             add(i, d, j, e,
                 v * (2. * (ti * sj + si * tj) + 2. * dim * si * sj * mean_tau +
-                     body.averaged * mean_tau * cross));
+                     body.material.averaged * mean_tau * cross));
             add(i, d, j, e, pressure_sum * weight * (slopes[i][d] * slopes[j][e] - cross));
           }
   }
@@ -74,7 +76,7 @@ void add_dilatation_terms(const Body<dim> &body,
 template <int dim, class Work>
 void for_cells(const Body<dim> &body, const Work &work)
 {
-  for (const std::vector<unsigned int> &color : body.field.colors())
+  for (const std::vector<unsigned int> &color : body.field.cells().colors())
     parallel_for(color.size(), 8,
                  [&](const std::size_t begin, const std::size_t end)
                  {
@@ -100,15 +102,16 @@ void cell_stiffness(const Body<dim> &body,
                     Eigen::MatrixXd &local)
 {
   constexpr unsigned int n_strain = dealii::SymmetricTensor<2, dim>::n_independent_components;
-  const unsigned int n = body.field.nodes_per_cell();
+  const unsigned int n = body.field.cells().nodes_per_cell();
   CellSlopes<dim> slopes, mean;
   StrainMatrix<dim> B(n_strain, dim * n), CB(n_strain, dim * n);
   Eigen::Matrix<double, n_strain, n_strain> C;
   local.setZero(dim * n, dim * n);
   double total = 0.;
-  if (body.averaged > 0.)
+  if (body.material.averaged > 0.)
     total = mean_slopes(body, s, cell, mean);
-  for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
+  for (unsigned int p = body.field.cells().first_point(cell); p < body.field.cells().first_point(cell + 1);
+       ++p)
   {
     const double v = s.volume[p];
     current_slopes(body, s, p, slopes);
@@ -119,9 +122,9 @@ void cell_stiffness(const Body<dim> &body,
       for (unsigned int d = 0; d < dim; ++d)
       {
         auto strain = strain_of(slopes[k], d);
-        if (body.averaged > 0.)
+        if (body.material.averaged > 0.)
           for (unsigned int e = 0; e < dim; ++e)
-            strain[e][e] += body.averaged * (mean[k][d] - slopes[k][d]) / dim;
+            strain[e][e] += body.material.averaged * (mean[k][d] - slopes[k][d]) / dim;
         for (unsigned int a = 0; a < n_strain; ++a)
           // Shear counts twice in the double contraction.
           B(a, dim * k + d) = (a < dim ? 1. : 2.) * strain.access_raw_entry(a);
@@ -129,7 +132,7 @@ void cell_stiffness(const Body<dim> &body,
     CB.noalias() = C * B;
     local.noalias() += B.transpose() * CB;
     const auto &tau = s.stress[p];
-    if (!body.small_strain())
+    if (!body.material.small_strain())
       for (unsigned int j = 0; j < n; ++j)
       {
         const dealii::Tensor<1, dim> t = v * (tau * slopes[j]);
@@ -141,7 +144,7 @@ void cell_stiffness(const Body<dim> &body,
         }
       }
   }
-  if (body.averaged > 0. && !body.small_strain())
+  if (body.material.averaged > 0. && !body.material.small_strain())
     add_dilatation_terms(body, s, cell, mean, total, local);
 }
 
@@ -175,9 +178,9 @@ public:
            const double factor,
            SystemMatrix &matrix)
   {
-    const unsigned int first = body.field.first_point(cell);
-    const unsigned int n_points = body.field.first_point(cell + 1) - first;
-    const int m = body.field.cell_independent(cell).size(), n_rows = DenseKernels::filled(m),
+    const unsigned int first = body.field.cells().first_point(cell);
+    const unsigned int n_points = body.field.cells().first_point(cell + 1) - first;
+    const int m = body.field.cells().independent(cell).size(), n_rows = DenseKernels::filled(m),
               n_columns = DenseKernels::filled(3 * m);
     const DenseKernels::Out slopes = slope_columns.find(body, s, cell, n_rows);
     const DenseKernels::Out response = of_response.sized(n_columns, 2 * n_points);
@@ -187,7 +190,7 @@ public:
       const double *const gx = slopes.at(0, 2 * q), *const gy = slopes.at(0, 2 * q + 1);
       const double v = factor * s.volume[first + q];
       const auto &tau = s.stress[first + q];
-      const bool geometric = !body.small_strain();
+      const bool geometric = !body.material.small_strain();
       const double txx = geometric ? v * tau[0][0] : 0., txy = geometric ? v * tau[0][1] : 0.,
                    tyy = geometric ? v * tau[1][1] : 0.;
       // Components xx, yy, xy: B of a node is [gx 0; 0 gy; gy gx] with the shear counted twice.
@@ -270,7 +273,7 @@ void add_general_stiffness(const Body<dim> &body,
     static thread_local Eigen::MatrixXd local;
     static thread_local Buffer of_wide, of_product, of_reduced;
     cell_stiffness(body, s, c, local);
-    const Eigen::MatrixXd &extension = body.field.cell_extension(c);
+    const Eigen::MatrixXd &extension = body.field.cells().extension(c);
     if (extension.size() == 0)
     {
       add(c, local);
@@ -296,25 +299,25 @@ void add_general_stiffness(const Body<dim> &body,
 template <int dim>
 void lay_out_stiffness(const BodyField<dim> &field, SystemMatrix &matrix, const bool all_cells)
 {
-  std::vector<std::vector<unsigned int>> nodes(field.n_cells());
-  for (const auto &color : field.colors())
+  std::vector<std::vector<unsigned int>> nodes(field.cells().n());
+  for (const auto &color : field.cells().colors())
     for (const unsigned int cell : color)
-      nodes[cell] = field.cell_independent(cell);
+      nodes[cell] = field.cells().independent(cell);
   for (unsigned int cell = 0; all_cells && cell < nodes.size(); ++cell)
-    nodes[cell] = field.cell_independent(cell);
+    nodes[cell] = field.cells().independent(cell);
   matrix.reinit(dim, field.n_independent(), nodes);
   std::vector<double> places;
   places.reserve(field.n_dofs());
   for (unsigned int j = 0; j < field.n_independent(); ++j)
     for (unsigned int d = 0; d < dim; ++d)
-      places.push_back(field.position(field.node_of_independent(j))[d]);
+      places.push_back(field.place(j)[d]);
   matrix.set_places(std::move(places));
 }
 
 template <int dim>
 void add_stiffness(const Body<dim> &body, const StepState<dim> &s, const double factor, SystemMatrix &matrix)
 {
-  if (body.averaged > 0.)
+  if (body.material.averaged > 0.)
     add_general_stiffness(body, s, factor, matrix);
   else if constexpr (dim == 2)
     add_plane_stiffness(body, s, factor, matrix);

@@ -16,7 +16,7 @@ elastic_energy(const State &state, const BodyShare &share, const std::vector<Eig
       state.bodies,
       [&](const Body<2> &body)
       {
-        Eigen::VectorXd place = body.displacement;
+        Eigen::VectorXd place = body.nodes.displacement;
         if (increment != nullptr)
           place += (*increment)[body.index];
         elastic[body.index] =

@@ -41,7 +41,7 @@ void resize(const Body<dim> &body, const Wishes &wishes, StepState<dim> &s)
   s.gradient.resize(n);
   s.volume.resize(n);
   s.stress.resize(n);
-  if (body.small_strain() || body.law->n_history() > 0 || wishes.trial.max_strain > 0.)
+  if (body.material.small_strain() || body.material.law->n_history() > 0 || wishes.trial.max_strain > 0.)
     s.increment.resize(n);
   if (wishes.trial.tangent)
     s.tangent.resize(n);
@@ -50,12 +50,12 @@ void resize(const Body<dim> &body, const Wishes &wishes, StepState<dim> &s)
     s.energy.resize(n);
     s.out_of_plane_stress.resize(n);
   }
-  if (body.law->n_history() > 0)
+  if (body.material.law->n_history() > 0)
   {
     s.dissipation.resize(n);
-    s.supply.assign(body.law->is_active() ? n : 0, 0.);
-    s.history_old.resize(n * body.law->n_history());
-    s.history.resize(n * body.law->n_history());
+    s.supply.assign(body.material.law->is_active() ? n : 0, 0.);
+    s.history_old.resize(n * body.material.law->n_history());
+    s.history.resize(n * body.material.law->n_history());
   }
 }
 
@@ -67,14 +67,15 @@ void deform_cell(const Body<dim> &body,
                  const Eigen::VectorXd &nodal_velocity,
                  StepState<dim> &s)
 {
-  const bool small = body.small_strain();
-  const unsigned int n_history = body.law->n_history();
+  const bool small = body.material.small_strain();
+  const unsigned int n_history = body.material.law->n_history();
   const CellGradients<dim> gradients(body.field, cell, s.nodal,
                                      s.increment.empty() ? nullptr : &s.nodal_increment);
   std::optional<CellGradients<dim>> rates;
-  if (small && half_dt > 0. && body.velocity.size() > 0)
+  if (small && half_dt > 0. && body.nodes.velocity.size() > 0)
     rates.emplace(body.field, cell, nodal_velocity, nullptr);
-  for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
+  for (unsigned int p = body.field.cells().first_point(cell); p < body.field.cells().first_point(cell + 1);
+       ++p)
   {
     const auto [gradient, increment] = gradients(p);
     s.grid_gradient[p] = identity<dim>() + gradient;
@@ -122,23 +123,25 @@ mean_of_cell(const StepState<dim> &s, const unsigned int begin, const unsigned i
 template <int dim>
 void average_gradients(const Body<dim> &body, const unsigned int cell, StepState<dim> &s)
 {
-  const unsigned int begin = body.field.first_point(cell), end = body.field.first_point(cell + 1);
+  const unsigned int begin = body.field.cells().first_point(cell),
+                     end = body.field.cells().first_point(cell + 1);
   const double mean =
       mean_of_cell(s, begin, end, [&](const unsigned int p) { return determinant(s.gradient[p]); });
   for (unsigned int p = begin; p < end; ++p)
     if (determinant(s.gradient[p]) > 0. && mean > 0.)
-      s.gradient[p] *= std::pow(mean / determinant(s.gradient[p]), body.averaged / dim);
+      s.gradient[p] *= std::pow(mean / determinant(s.gradient[p]), body.material.averaged / dim);
 }
 
 /// The same for laws of small strain, which get the strain over the step.
 template <int dim>
 void average_increments(const Body<dim> &body, const unsigned int cell, StepState<dim> &s)
 {
-  const unsigned int begin = body.field.first_point(cell), end = body.field.first_point(cell + 1);
+  const unsigned int begin = body.field.cells().first_point(cell),
+                     end = body.field.cells().first_point(cell + 1);
   const double mean =
       mean_of_cell(s, begin, end, [&](const unsigned int p) { return trace(s.increment[p]); });
   for (unsigned int p = begin; p < end; ++p)
-    s.increment[p] += body.averaged * (mean - trace(s.increment[p])) / dim * identity<dim>();
+    s.increment[p] += body.material.averaged * (mean - trace(s.increment[p])) / dim * identity<dim>();
 }
 
 /// What averaging leaves of the deformation of the points of one cell, as far as anybody asks for it.
@@ -148,9 +151,9 @@ void average_dilatation(const Body<dim> &body,
                         const bool measures,
                         StepState<dim> &s)
 {
-  if (body.small_strain())
+  if (body.material.small_strain())
     average_increments(body, cell, s);
-  if (!body.small_strain() || measures)
+  if (!body.material.small_strain() || measures)
     average_gradients(body, cell, s);
 }
 
@@ -180,7 +183,7 @@ constitutive::Inputs<dim> inputs_of(const Body<dim> &body,
   in.n_points = n;
   in.deformation_gradient = &s.gradient[first];
   in.increment = s.increment.empty() ? nullptr : &s.increment[first];
-  in.history_old = s.history_old.empty() ? nullptr : &s.history_old[first * body.law->n_history()];
+  in.history_old = s.history_old.empty() ? nullptr : &s.history_old[first * body.material.law->n_history()];
   in.dt = trial.dt;
   in.time = trial.time;
   return in;
@@ -191,7 +194,7 @@ template <int dim>
 constitutive::Outputs<dim>
 outputs_of(const Body<dim> &body, const Wishes &wishes, const std::size_t first, StepState<dim> &s)
 {
-  const unsigned int n_history = body.law->n_history();
+  const unsigned int n_history = body.material.law->n_history();
   constitutive::Outputs<dim> out;
   out.stress = &s.stress[first];
   if (wishes.trial.tangent)
@@ -231,7 +234,7 @@ StressOutcome outcome_of(const Body<dim> &body,
   outcome.share = share;
   if (outcome.good())
     return outcome;
-  if (const auto *law = dynamic_cast<const constitutive::Refusal<dim> *>(body.law.get()))
+  if (const auto *law = dynamic_cast<const constitutive::Refusal<dim> *>(body.material.law.get()))
     outcome.refusal = law->why_refused(inputs_of(body, s, trial, bad_point, 1));
   std::ostringstream place;
   place << body.points[bad_point].position();
@@ -249,14 +252,14 @@ StressOutcome evaluate(const Body<dim> &body,
 {
   const double half_dt = wishes.trial.half_dt;
   resize(body, wishes, s);
-  body.field.prolongate(displacement, s.nodal);
+  body.field.extension().prolongate(displacement, s.nodal);
   Eigen::VectorXd nodal_velocity;
   if (!s.increment.empty())
-    body.field.prolongate(increment, s.nodal_increment);
-  if (half_dt > 0. && body.small_strain() && body.velocity.size() > 0)
-    body.field.prolongate(body.velocity, nodal_velocity);
+    body.field.extension().prolongate(increment, s.nodal_increment);
+  if (half_dt > 0. && body.material.small_strain() && body.nodes.velocity.size() > 0)
+    body.field.extension().prolongate(body.nodes.velocity, nodal_velocity);
 
-  const bool limits_step = wishes.trial.dt > 0. && body.law->limits_step();
+  const bool limits_step = wishes.trial.dt > 0. && body.material.law->limits_step();
   // The smallest index, so that the message does not depend on the number of threads.
   std::atomic<std::size_t> bad{StressOutcome::none};
   std::atomic<double> share{1.};
@@ -265,24 +268,26 @@ StressOutcome evaluate(const Body<dim> &body,
     for (std::size_t c = begin; c < end; ++c)
     {
       deform_cell(body, c, half_dt, nodal_velocity, s);
-      if (body.averaged > 0. && body.field.first_point(c) < body.field.first_point(c + 1))
+      if (body.material.averaged > 0. &&
+          body.field.cells().first_point(c) < body.field.cells().first_point(c + 1))
         average_dilatation(body, c, wishes.measures, s);
     }
-    const std::size_t first = body.field.first_point(begin), n = body.field.first_point(end) - first;
+    const std::size_t first = body.field.cells().first_point(begin),
+                      n = body.field.cells().first_point(end) - first;
     if (n == 0)
       return;
     double allowed = 1.;
     constitutive::Outputs<dim> out = outputs_of(body, wishes, first, s);
     if (limits_step)
       out.step_share = &allowed;
-    std::size_t good = body.law->update(inputs_of(body, s, wishes.trial, first, n), out);
+    std::size_t good = body.material.law->update(inputs_of(body, s, wishes.trial, first, n), out);
     lower(share, allowed);
     if (good == n && wishes.trial.max_strain > 0.)
       good = leaps(s, first, first + n, wishes.trial.max_strain) - first;
     if (good < n)
       lower(bad, first + good);
   };
-  parallel_for(body.field.n_cells(), cell_grain, work);
+  parallel_for(body.field.cells().n(), cell_grain, work);
   return outcome_of(body, s, wishes.trial, bad.load(), share.load());
 }
 } // namespace
@@ -314,9 +319,9 @@ measure_points(const Body<dim> &body, const Eigen::VectorXd &displacement, const
 template <int dim>
 void internal_force(const Body<dim> &body, StepState<dim> &s, Eigen::VectorXd &force)
 {
-  const unsigned int n = body.field.nodes_per_cell();
-  s.of_cells.assign(body.field.n_cells() * n * dim, 0.);
-  parallel_for(body.field.n_cells(), cell_grain,
+  const unsigned int n = body.field.cells().nodes_per_cell();
+  s.of_cells.assign(body.field.cells().n() * n * dim, 0.);
+  parallel_for(body.field.cells().n(), cell_grain,
                [&](const std::size_t begin, const std::size_t end)
                {
                  CellSlopes<dim> mean;
@@ -324,26 +329,28 @@ void internal_force(const Body<dim> &body, StepState<dim> &s, Eigen::VectorXd &f
                  {
                    double *f = &s.of_cells[c * n * dim];
                    double pressure = 0.;
-                   for (unsigned int p = body.field.first_point(c); p < body.field.first_point(c + 1); ++p)
+                   for (unsigned int p = body.field.cells().first_point(c);
+                        p < body.field.cells().first_point(c + 1); ++p)
                    {
                      auto stress = s.stress[p];
-                     if (body.averaged > 0.)
+                     if (body.material.averaged > 0.)
                      {
-                       const double mean_stress = body.averaged * trace(stress) / dim;
+                       const double mean_stress = body.material.averaged * trace(stress) / dim;
                        pressure += s.volume[p] * mean_stress;
                        for (unsigned int d = 0; d < dim; ++d)
                          stress[d][d] -= mean_stress;
                      }
                      // -V tau G^-T, so that every node costs one product with its slope.
                      dealii::Tensor<2, dim> q = -s.volume[p] * dealii::Tensor<2, dim>(stress);
-                     if (!body.small_strain())
+                     if (!body.material.small_strain())
                        q = q * transpose(invert(s.grid_gradient[p]));
-                     const dealii::Tensor<1, dim> *slope = body.field.slopes(p);
+                     const dealii::Tensor<1, dim> *slope = body.field.at_point(p).slopes;
                      for (unsigned int k = 0; k < n; ++k)
                        for (unsigned int d = 0; d < dim; ++d)
                          f[dim * k + d] += q[d] * slope[k];
                    }
-                   if (body.averaged > 0. && body.field.first_point(c) < body.field.first_point(c + 1))
+                   if (body.material.averaged > 0. &&
+                       body.field.cells().first_point(c) < body.field.cells().first_point(c + 1))
                    {
                      mean_slopes(body, s, c, mean);
                      for (unsigned int k = 0; k < n; ++k)
@@ -352,8 +359,8 @@ void internal_force(const Body<dim> &body, StepState<dim> &s, Eigen::VectorXd &f
                    }
                  }
                });
-  body.field.gather(s.of_cells, s.nodal_increment);
-  body.field.restrict(s.nodal_increment, force);
+  body.field.cells().gather(s.of_cells, s.nodal_increment);
+  body.field.extension().restrict(s.nodal_increment, force);
 }
 
 #define INSTANTIATE(dim)                                                                                     \

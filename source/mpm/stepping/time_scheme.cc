@@ -110,7 +110,7 @@ public:
   /// From which the next step sets out.
   Eigen::VectorXd kept(const BodyEnd &end) const override
   {
-    return end.plan.held ? end.before.kept : end.rate;
+    return end.plan.held ? end.before.nodes.kept : end.rate;
   }
   StepOutcome step(const Problem &problem,
                    State &state,

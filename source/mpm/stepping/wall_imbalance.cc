@@ -33,8 +33,8 @@ double softest(const std::vector<Body<dim>> &bodies)
 {
   double modulus = std::numeric_limits<double>::max();
   for (const Body<dim> &body : bodies)
-    if (!body.driven)
-      modulus = std::min(modulus, body.law->young_modulus());
+    if (!body.rigid.driven)
+      modulus = std::min(modulus, body.material.law->young_modulus());
   return modulus;
 }
 

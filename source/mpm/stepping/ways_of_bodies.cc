@@ -48,7 +48,7 @@ void WaysOfBodies::check(const State &state, const Workspace &work, const unsign
   for (const Body<2> &body : state.bodies)
   {
     const Vector way = body.center() - start[body.index];
-    if (body.driven || way.norm() <= room)
+    if (body.rigid.driven || way.norm() <= room)
       continue;
     const Vector load = loads_of(state, work)[body.index];
     std::ostringstream message;

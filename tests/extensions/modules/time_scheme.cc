@@ -37,13 +37,13 @@ constexpr double alpha_m = (2. * radius - 1.) / (radius + 1.), alpha_f = radius 
 /// The acceleration at the start of a step: what the last one has left, or at first that of the forces.
 Eigen::VectorXd acceleration(const mpm::Body<2> &body, const Eigen::VectorXd &load)
 {
-  if (body.kept.size() > 0)
-    return body.kept;
-  Eigen::VectorXd a = body.internal_force;
+  if (body.nodes.kept.size() > 0)
+    return body.nodes.kept;
+  Eigen::VectorXd a = body.nodes.internal_force;
   if (load.size() > 0)
     a += load;
-  for (unsigned int i = 0; i < body.mass.size(); ++i)
-    a.segment<2>(2 * i) /= body.mass[i];
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
+    a.segment<2>(2 * i) /= body.nodes.mass[i];
   return a;
 }
 
@@ -63,11 +63,11 @@ public:
 
   Eigen::VectorXd increment(const mpm::Body<2> &body, const Eigen::VectorXd &v) const override
   {
-    return dt * ((1. - theta) * body.velocity + theta * v) + dt * dt * (0.5 - theta) * a;
+    return dt * ((1. - theta) * body.nodes.velocity + theta * v) + dt * dt * (0.5 - theta) * a;
   }
   Eigen::VectorXd end_velocity(const mpm::Body<2> &body, const Eigen::VectorXd &way) const override
   {
-    return (way / dt - (1. - theta) * body.velocity - dt * (0.5 - theta) * a) / theta;
+    return (way / dt - (1. - theta) * body.nodes.velocity - dt * (0.5 - theta) * a) / theta;
   }
   void note_load(const mpm::Body<2> &, const Eigen::VectorXd &now) override { load = now; }
   void find_missing(const mpm::Body<2> &body,
@@ -77,13 +77,13 @@ public:
                     const Eigen::VectorXd &,
                     Eigen::VectorXd &missing) override
   {
-    missing = known_impulse(body, internal) - times_mass(body, v - body.velocity);
+    missing = known_impulse(body, internal) - times_mass(body, v - body.nodes.velocity);
   }
 
   double stiffness_weight() const override { return share * (1. - alpha_f) * theta * dt * dt; }
   void add_mass(const mpm::Body<2> &body, SystemMatrix &matrix) const override
   {
-    matrix.add_mass<2>(body.mass, 1.);
+    matrix.add_mass<2>(body.nodes.mass, 1.);
   }
   double held_weight(const mpm::Body<2> &, const mpm::StepState<2> &) const override { return 0.; }
   const mpm::WholeRotation<2> &held() const override { return rotation; }
@@ -94,11 +94,11 @@ public:
                  const Eigen::VectorXd &increment,
                  const Eigen::VectorXd &internal) const override
   {
-    const Eigen::VectorXd rate = increment / dt, mean = 0.5 * (v + body.velocity);
-    Eigen::VectorXd impulse = 0.5 * dt * (internal + body.internal_force);
+    const Eigen::VectorXd rate = increment / dt, mean = 0.5 * (v + body.nodes.velocity);
+    Eigen::VectorXd impulse = 0.5 * dt * (internal + body.nodes.internal_force);
     if (load.size() > 0)
       impulse += dt * load;
-    return times_mass(body, v - body.velocity).dot(rate - mean) +
+    return times_mass(body, v - body.nodes.velocity).dot(rate - mean) +
            (impulse - known_impulse(body, internal)).dot(rate);
   }
   double regularisation_work(const mpm::Body<2> &, const Eigen::VectorXd &) const override { return 0.; }
@@ -108,14 +108,14 @@ private:
 
   static Eigen::VectorXd times_mass(const mpm::Body<2> &body, Eigen::VectorXd vector)
   {
-    for (unsigned int i = 0; i < body.mass.size(); ++i)
-      vector.segment<2>(2 * i) *= body.mass[i];
+    for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
+      vector.segment<2>(2 * i) *= body.nodes.mass[i];
     return vector;
   }
   /// All impulses but those of contacts.
   Eigen::VectorXd known_impulse(const mpm::Body<2> &body, const Eigen::VectorXd &internal) const
   {
-    Eigen::VectorXd impulse = dt * share * ((1. - alpha_f) * internal + alpha_f * body.internal_force) +
+    Eigen::VectorXd impulse = dt * share * ((1. - alpha_f) * internal + alpha_f * body.nodes.internal_force) +
                               dt * (1. - newmark_gamma - share * alpha_m) * times_mass(body, a);
     if (load.size() > 0)
       impulse += dt * share * load;

@@ -71,19 +71,19 @@ program_bar_meets_wall(const double cfl, const double phase, std::vector<std::st
   const ExactBar exact(fall, end + dt);
   ProgramImpact impact{ImpactMeasures(
       {start, start + fall.round_trip(), impact_speed, 0.5 * impact_speed * impact_speed, impact_speed})};
-  double momentum = body.momentum()[0];
+  double momentum = body.nodes.momentum()[0];
   while (model->time() < end * (1. - 1e-9))
   {
     const double from = model->time();
     const StepReport report = model->advance(10. * dt);
     double sum = 0.;
     unsigned int n = 0;
-    for (unsigned int i = 0; i < body.mass.size(); ++i)
+    for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
     {
-      const double x = body.field.position(body.field.node_of_independent(i))[0];
+      const double x = body.field.place(i)[0];
       if (x < -1e-9 || x > 1. + 1e-9)
         continue; // control points of B-splines outside of the bar
-      const double difference = body.displacement[2 * i] - exact.displacement(x, model->time());
+      const double difference = body.nodes.displacement[2 * i] - exact.displacement(x, model->time());
       sum += difference * difference;
       ++n;
     }
@@ -93,7 +93,7 @@ program_bar_meets_wall(const double cfl, const double phase, std::vector<std::st
       for (const auto &place : outline)
         gap_now = std::min(gap_now, place[0] + fall.gap);
     const Energies energies = model->energies();
-    const double now = body.momentum()[0];
+    const double now = body.nodes.momentum()[0];
     impact.measures.look(from, model->time(), (now - momentum) / width,
                          (energies.kinetic + energies.elastic) / width, gap_now, std::sqrt(sum / n));
     momentum = now;
@@ -140,8 +140,8 @@ inline DiskImpact program_disks(const double cfl, const double phase, std::vecto
               ++impact.steps;
             });
   const auto &bodies = model->bodies();
-  impact.restitution =
-      0.5 * (bodies[1].momentum()[0] / bodies[1].mass.sum() - bodies[0].momentum()[0] / bodies[0].mass.sum());
+  impact.restitution = 0.5 * (bodies[1].nodes.momentum()[0] / bodies[1].nodes.mass.sum() -
+                              bodies[0].nodes.momentum()[0] / bodies[0].nodes.mass.sum());
   return impact;
 }
 

@@ -12,7 +12,7 @@ namespace softgrain::mpm
 template <int dim>
 dealii::Tensor<1, dim> at_marker(const Body<dim> &body, const unsigned int m, const Eigen::VectorXd &nodal)
 {
-  const NodeWeightsView weights = body.field.marker_weights(m);
+  const NodeWeightsView weights = body.field.markers()[m];
   dealii::Tensor<1, dim> value;
   for (unsigned int k = 0; k < weights.size; ++k)
     for (unsigned int d = 0; d < dim; ++d)

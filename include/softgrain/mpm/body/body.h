@@ -59,33 +59,44 @@ private:
   }
 };
 
+/// What a body is made of.
+template <int dim>
+struct BodyMaterial
+{
+  std::shared_ptr<const constitutive::Law<dim>> law;
+  double density = 0; ///< at rest [kg/m^3]
+  /// Share of the dilatation that is averaged over cells (F-bar), against volumetric locking; 0: none.
+  double averaged = 0.;
+
+  bool small_strain() const { return law->kinematics() == constitutive::Kinematics::small_strain; }
+};
+
+/// What a body was before anything acted on it.
+template <int dim>
+struct BodyAtRest
+{
+  double area = 0;                          ///< [m^dim]
+  std::vector<dealii::Point<dim>> position; ///< by number of the point, when a load needs it [m]
+};
+
+/// How a body moves that does not deform.
+template <int dim>
+struct RigidDrive
+{
+  bool driven = false;                               ///< whether it moves rigidly with `drive`
+  dealii::Tensor<1, dim> drive;                      ///< velocity that it is given, in held steps apart [m/s]
+  unsigned int wall = static_cast<unsigned int>(-1); ///< wall it stands for, if any
+};
+
 /**
- * @brief One body: its law, its points, its boundary and its nodal field.
+ * @brief What the nodes of a body carry: vectors with dim components per independent node of its field.
  *
- * Nodal vectors hold dim components per independent node of the field. `displacement` runs from the
- * configuration in which the grid was built, so that a grid may serve for one step (updated Lagrangian) or
- * for ever (total Lagrangian).
+ * `displacement` runs from the configuration in which the grid was built, so that a grid may serve for one
+ * step (updated Lagrangian) or for ever (total Lagrangian).
  */
 template <int dim>
-struct Body
+struct NodalState
 {
-  std::string name;
-  unsigned int index = 0;
-  std::shared_ptr<const constitutive::Law<dim>> law;
-  double density = 0;           ///< at rest [kg/m^3]
-  double rest_area = 0;         ///< [m^dim]
-  bool driven = false;          ///< moves rigidly with `drive`
-  dealii::Tensor<1, dim> drive; ///< velocity that a driven body is given, in held steps apart [m/s]
-  unsigned int wall = static_cast<unsigned int>(-1); ///< wall it stands for, if any
-  Loads<dim> loads;                                  ///< of the scene and its own
-  std::vector<dealii::Point<dim>> rest_position;     ///< by number of the point, when a load needs it [m]
-
-  BodyPoints<dim> points;    ///< none when they lie with another owner
-  unsigned int n_points = 0; ///< wherever they lie
-  Boundary<dim> boundary;
-  BodyField<dim> field;
-  std::shared_ptr<const CellLevels<dim>> levels; ///< sizes of its cells; none: as the lattice has them
-
   Eigen::VectorXd mass;               ///< per independent node, lumped (@cite nguyen2016, eq. (3.10)) [kg]
   Eigen::VectorXd displacement;       ///< since the grid was built [m]
   Eigen::VectorXd velocity;           ///< [m/s]; empty without inertia
@@ -95,18 +106,34 @@ struct Body
   Eigen::VectorXd kept;
   Eigen::VectorXd internal_force; ///< end of the last step [N]
 
+  /// Momentum of the nodal field, zero where it has no velocity [kg m/s].
+  dealii::Tensor<1, dim> momentum() const;
+  double kinetic_energy() const; ///< likewise [J m^(dim-3)]
+};
+
+/// One body: its law, its points, its boundary and its nodal field.
+template <int dim>
+struct Body
+{
+  std::string name;
+  unsigned int index = 0;
+  BodyMaterial<dim> material;
+  BodyAtRest<dim> rest;
+  RigidDrive<dim> rigid;
+  Loads<dim> loads; ///< of the scene and its own
+
+  BodyPoints<dim> points;    ///< none when they lie with another owner
+  unsigned int n_points = 0; ///< wherever they lie
+  Boundary<dim> boundary;
+  BodyField<dim> field;
+  std::shared_ptr<const CellLevels<dim>> levels; ///< sizes of its cells; none: as the lattice has them
+  NodalState<dim> nodes;
+
   /// Copy of the cell that repeats from which it has been brought to where it is.
   typename PeriodicCell<dim>::Image home{};
 
-  /// Share of the dilatation that is averaged over cells (F-bar), against volumetric locking; 0: none.
-  double averaged = 0.;
-
-  bool small_strain() const { return law->kinematics() == constitutive::Kinematics::small_strain; }
-  /// Momentum of the nodal field, zero where it has no velocity [kg m/s].
-  dealii::Tensor<1, dim> momentum() const;
   /// Centre of mass [m].
   dealii::Point<dim> center() const;
-  double kinetic_energy() const; ///< likewise [J m^(dim-3)]
   /// Takes it along as a whole, but for its boundary [m].
   void translate(const dealii::Tensor<1, dim> &way);
 };

@@ -59,7 +59,7 @@ public:
                  [&](const std::size_t begin, const std::size_t end)
                  {
                    for (std::size_t b = begin; b < end; ++b)
-                     if (!bodies[b].driven && mine(b))
+                     if (!bodies[b].rigid.driven && mine(b))
                        work(bodies[b]);
                  });
   }

@@ -22,7 +22,7 @@ struct HertzCompliance
   double cell_size = 0;           ///< [m]
   dealii::Point<3> lattice_lower; ///< where lines of the grid cross [m]
 
-  static bool is_round(const Body<3> &body) { return body.boundary.circular && !body.driven; }
+  static bool is_round(const Body<3> &body) { return body.boundary.circular && !body.rigid.driven; }
 
   /// ln k at a place of the surface of a ball. @param place in the configuration of the grid [m]
   /// @param normal of the surface there, unit

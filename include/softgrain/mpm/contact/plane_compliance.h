@@ -10,10 +10,10 @@ namespace softgrain::mpm
 template <int dim>
 double plane_compliance(const Body<dim> &body)
 {
-  if (body.driven)
+  if (body.rigid.driven)
     return 0.;
-  const double nu = body.law->poisson_ratio();
-  return (1. - nu * nu) / body.law->young_modulus();
+  const double nu = body.material.law->poisson_ratio();
+  return (1. - nu * nu) / body.material.law->young_modulus();
 }
 } // namespace softgrain::mpm
 

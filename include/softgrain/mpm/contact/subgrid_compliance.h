@@ -31,7 +31,7 @@ struct SubgridCompliance
   dealii::Point<2> lattice_lower; ///< where lines of the grid cross [m]
 
   /// Whether what the grid misses of its dents is known.
-  static bool is_round(const Body<2> &body) { return body.boundary.circular && !body.driven; }
+  static bool is_round(const Body<2> &body) { return body.boundary.circular && !body.rigid.driven; }
 
   /**
    * ln k at a place of the outline of a round body.

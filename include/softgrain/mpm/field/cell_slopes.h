@@ -24,9 +24,9 @@ void current_slopes(const Body<dim> &body,
                     const unsigned int p,
                     CellSlopes<dim> &slopes)
 {
-  const dealii::Tensor<1, dim> *slope = body.field.slopes(p);
-  slopes.resize(body.field.nodes_per_cell());
-  if (body.small_strain())
+  const dealii::Tensor<1, dim> *slope = body.field.at_point(p).slopes;
+  slopes.resize(body.field.cells().nodes_per_cell());
+  if (body.material.small_strain())
     std::copy(slope, slope + slopes.size(), slopes.begin());
   else
   {
@@ -41,17 +41,19 @@ template <int dim>
 double
 mean_slopes(const Body<dim> &body, const StepState<dim> &s, const unsigned int cell, CellSlopes<dim> &mean)
 {
-  mean.assign(body.field.nodes_per_cell(), dealii::Tensor<1, dim>());
+  mean.assign(body.field.cells().nodes_per_cell(), dealii::Tensor<1, dim>());
   CellSlopes<dim> slopes;
   double total = 0.;
-  for (unsigned int p = body.field.first_point(cell); p < body.field.first_point(cell + 1); ++p)
+  for (unsigned int p = body.field.cells().first_point(cell); p < body.field.cells().first_point(cell + 1);
+       ++p)
   {
     current_slopes(body, s, p, slopes);
     const auto point = body.points[p];
     // F holds the mean dilatation here, so the weight needs the determinant of what really happened.
-    const double weight = body.small_strain() ? s.volume[p]
-                                              : point.rest_volume() * determinant(s.grid_gradient[p]) *
-                                                    determinant(point.gradient());
+    const double weight =
+        body.material.small_strain()
+            ? s.volume[p]
+            : point.rest_volume() * determinant(s.grid_gradient[p]) * determinant(point.gradient());
     total += weight;
     for (unsigned int k = 0; k < mean.size(); ++k)
       mean[k] += weight * slopes[k];

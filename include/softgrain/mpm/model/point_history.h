@@ -35,7 +35,7 @@ void add_history_fields(const constitutive::Law<dim> &law, PointStates<dim> &poi
 template <int dim, class Place>
 void put_history(const Body<dim> &body, const Place &place, PointStates<dim> &points)
 {
-  const std::vector<std::string> names = named_history(*body.law);
+  const std::vector<std::string> names = named_history(*body.material.law);
   for (unsigned int i = 0; i < names.size(); ++i)
   {
     const auto field = std::find_if(points.extra.begin(), points.extra.end(),

@@ -21,7 +21,7 @@ report_bodies_of_ranks(const BodyShare &share, const std::vector<Body<dim>> &bod
 {
   std::vector<unsigned int> number(share.exchange.number(), 0);
   for (const Body<dim> &body : bodies)
-    if (!body.driven)
+    if (!body.rigid.driven)
       ++number[share.owner(body.index)];
   const auto [fewest, most] = std::minmax_element(number.begin(), number.end());
   report.emplace_back("bodies of a rank", std::to_string(*fewest) + " to " + std::to_string(*most));
@@ -44,7 +44,7 @@ void check_ranks_agree(const BodyShare &share, const std::vector<Body<dim>> &bod
     return;
   double moved = 0.;
   for (const Body<dim> &body : bodies)
-    moved += body.displacement.squaredNorm();
+    moved += body.nodes.displacement.squaredNorm();
   share.exchange.check_alike({report.dt, report.newton_residual, report.contact_residual, moved});
 }
 } // namespace softgrain::mpm

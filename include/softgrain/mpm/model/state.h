@@ -88,7 +88,7 @@ void for_moving(Bodies &bodies, const Work &work)
                [&](const std::size_t begin, const std::size_t end)
                {
                  for (std::size_t b = begin; b < end; ++b)
-                   if (!bodies[b].driven)
+                   if (!bodies[b].rigid.driven)
                      work(bodies[b]);
                });
 }

@@ -43,7 +43,7 @@ public:
   double stiffness_weight() const override { return theta * theta * dt * dt; }
   void add_mass(const Body<dim> &body, SystemMatrix &matrix) const override
   {
-    matrix.add_mass<dim>(body.mass, 1.);
+    matrix.add_mass<dim>(body.nodes.mass, 1.);
   }
   double held_weight(const Body<dim> &body, const StepState<dim> &trial) const override;
   const WholeRotation<dim> &held() const override { return keeps ? lever : rotation; }

@@ -66,7 +66,7 @@ public:
 private:
   /// What a node resists by: its mass, taken as positive where functions and extensions that are negative
   /// somewhere make it negative [kg/m].
-  static double drag(const Body<2> &body, const unsigned int i) { return std::abs(body.mass[i]); }
+  static double drag(const Body<2> &body, const unsigned int i) { return std::abs(body.nodes.mass[i]); }
 
   double dt, shift, weight; ///< shift of the mass matrix; weight of the torque, per radian [N s^2 m/m]
   WholeRotation<2> rotation;

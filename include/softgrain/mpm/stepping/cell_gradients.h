@@ -27,7 +27,7 @@ public:
                 const Eigen::VectorXd *second)
       : field(field)
   {
-    const unsigned int n = field.nodes_per_cell(), *nodes = field.nodes_of_cell(cell);
+    const unsigned int n = field.cells().nodes_per_cell(), *nodes = field.cells().nodes(cell);
     nodal.resize(2 * dim, n);
     for (unsigned int k = 0; k < n; ++k)
     {
@@ -43,8 +43,8 @@ public:
   std::pair<dealii::Tensor<2, dim>, dealii::Tensor<2, dim>> operator()(const unsigned int p) const
   {
     static_assert(sizeof(dealii::Tensor<1, dim>) == dim * sizeof(double));
-    const Eigen::Map<const Eigen::Matrix<double, dim, Eigen::Dynamic>> slopes(field.slopes(p)->begin_raw(),
-                                                                              dim, nodal.cols());
+    const Eigen::Map<const Eigen::Matrix<double, dim, Eigen::Dynamic>> slopes(
+        field.at_point(p).slopes->begin_raw(), dim, nodal.cols());
     const Eigen::Matrix<double, 2 * dim, dim> both = nodal.lazyProduct(slopes.transpose());
     std::pair<dealii::Tensor<2, dim>, dealii::Tensor<2, dim>> result;
     for (unsigned int d = 0; d < dim; ++d)

@@ -40,10 +40,10 @@ public:
   DenseKernels::Out
   find(const Body<dim> &body, const StepState<dim> &s, const unsigned int cell, const int n_rows)
   {
-    const Eigen::MatrixXd &spread = body.field.cell_spread(cell);
+    const Eigen::MatrixXd &spread = body.field.cells().spread(cell);
     const bool extended = spread.size() > 0;
-    const unsigned int first = body.field.first_point(cell), n = body.field.nodes_per_cell();
-    const int n_columns = dim * (body.field.first_point(cell + 1) - first),
+    const unsigned int first = body.field.cells().first_point(cell), n = body.field.cells().nodes_per_cell();
+    const int n_columns = dim * (body.field.cells().first_point(cell + 1) - first),
               n_filled = extended ? DenseKernels::filled(n_columns) : n_columns;
     const DenseKernels::Out slopes = of_slopes.sized(n_rows, n_filled);
     // A column for every node where they are still to be extended, else one for every derivative.
@@ -51,9 +51,10 @@ public:
     const std::ptrdiff_t to_node = extended ? nodal.stride : 1, to_derivative = extended ? 1 : nodal.stride;
     for (int q = 0; dim * q < n_columns; ++q)
     {
-      const dealii::Tensor<1, dim> *const slope = body.field.slopes(first + q);
-      const dealii::Tensor<2, dim> inverse =
-          body.small_strain() ? dealii::unit_symmetric_tensor<dim>() : invert(s.grid_gradient[first + q]);
+      const dealii::Tensor<1, dim> *const slope = body.field.at_point(first + q).slopes;
+      const dealii::Tensor<2, dim> inverse = body.material.small_strain()
+                                                 ? dealii::unit_symmetric_tensor<dim>()
+                                                 : invert(s.grid_gradient[first + q]);
       double *const of_point = nodal.data + dim * q * to_derivative;
       for (unsigned int k = 0; k < n; ++k)
         for (unsigned int e = 0; e < dim; ++e)
