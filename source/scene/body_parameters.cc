@@ -4,6 +4,7 @@
 #include <softgrain/base/nearest_name.h>
 #include <softgrain/geometry/polygon.h>
 #include <softgrain/geometry/solid.h>
+#include <softgrain/parameters/parameter_tree.h>
 #include <softgrain/parameters/parameter_values.h>
 #include <softgrain/parameters/within_section.h>
 #include <softgrain/scene/body_parameters.h>
@@ -87,6 +88,30 @@ void add_spin(const dealii::Tensor<1, 3> &spin, BodyDescription<3> &body)
   body.velocity = sum.str();
 }
 
+/// @throw InputError when a parameter has a value that only other shapes read
+template <int dim>
+void check_read_by_shape(const dealii::ParameterHandler &prm,
+                         const Shape<dim> &shape,
+                         const std::string &body)
+{
+  const Registry<Shape<dim>> &shapes = Registry<Shape<dim>>::instance();
+  dealii::ParameterHandler own, all;
+  shape.declare_parameters(own);
+  for (const std::string &name : shapes.names())
+    shapes.create(name)->declare_parameters(all);
+  const ParameterSection read = parameter_tree(own);
+  const auto refuse = [&](const std::string &name)
+  {
+    throw InputError("'Bodies/" + body + "/" + name + "' = '" + prm.get(name) +
+                     "' has no effect with 'Shape' = '" + prm.get("Shape") + "': leave it out");
+  };
+  for (const ParameterEntry &entry : parameter_tree(all).entries)
+    if (read.entry(entry.name) == nullptr && prm.get(entry.name) != entry.default_value)
+      refuse(entry.name);
+  if (prm.get("Shape") == "polygon" && prm.get("Center") != "0, 0")
+    refuse("Center");
+}
+
 template <int dim>
 BodyDescription<dim> parse_body(const std::string &name, dealii::ParameterHandler &prm)
 {
@@ -94,6 +119,7 @@ BodyDescription<dim> parse_body(const std::string &name, dealii::ParameterHandle
   body.name = name;
   body.center = dealii::Point<dim>(vector_of_numbers<dim>(prm.get("Center")));
   std::shared_ptr<Shape<dim>> shape = Registry<Shape<dim>>::instance().create(prm.get("Shape"));
+  check_read_by_shape(prm, *shape, name);
   shape->parse_parameters(prm, body.center);
   body.shape = shape;
   // A polygon says where it is by its corners alone; it turns about its middle as other shapes do.

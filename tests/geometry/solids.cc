@@ -2,6 +2,8 @@
 // Shapes in space: places lie on the surface, normals and bends are those of differences, supports and
 // volumes those of fine triangles, depths below distances, and what touches does not overlap.
 #include <softgrain/base/exceptions.h>
+#include <softgrain/geometry/box_solid.h>
+#include <softgrain/geometry/cylinder_solid.h>
 #include <softgrain/geometry/polyhedron.h>
 #include <softgrain/geometry/star_solid.h>
 #include <softgrain/geometry/superellipsoid.h>
@@ -113,6 +115,19 @@ void look_at(const std::string &name, const Shape<3> &shape)
   std::cout << "  boxes of the surface that are missed: " << missed << '\n';
 }
 
+/// By how much volumes, places, normals and curvatures of two differ.
+double apart(const Shape<3> &one, const Shape<3> &other)
+{
+  double off = std::abs(one.volume() - other.volume());
+  for (const Point &x : one.surface(0.3).vertices)
+  {
+    const SurfacePlace<3> a = one.place(x), b = other.place(x);
+    off = std::max({off, a.position.distance(b.position), (a.normal - b.normal).norm(),
+                    (a.bend - b.bend).norm(), std::abs(one.depth(x) - other.depth(x))});
+  }
+  return off;
+}
+
 /// With a dent in one side.
 TriangulatedSurface bent(TriangulatedSurface surface)
 {
@@ -149,6 +164,9 @@ int main()
   look_at("tetrahedron", Polyhedron(center, {cube[0], cube[4], cube[5], cube[6]}, 0.3, turn));
   look_at("plate", Polyhedron(center, {cube[0], cube[1], cube[2], cube[4]}, 0.4, turn));
   look_at("rod", Polyhedron(center, {cube[0], cube[7], Vector()}, 0.6, turn));
+  look_at("box", BoxSolid(center, Vector({2.8, 2., 1.6}), 0.4, turn));
+  look_at("tablet", CylinderSolid(center, 1.4, 1.3, 0.3, turn));
+  look_at("cylinder with hemispheres", CylinderSolid(center, 0.7, 3., 0.7, turn));
   const Superellipsoid bean(Point(), Vector({1.5, 1.1, 0.8}), {{4., 3.}}, turn);
   look_at("a surface of triangles", StarSolid(center, bent(bean.surface(0.2)), 12, turn));
   check_hull("cube", cube);
@@ -158,18 +176,18 @@ int main()
   const Sphere ball(center, 1.3);
   const Superellipsoid round(center, Vector({1.3, 1.3, 1.3}), {{2., 2.}}, turn);
   const Polyhedron point(center, {Vector()}, 1.3, turn);
-  for (const auto &[name, other] : {std::pair<std::string, const Shape<3> *>("an ellipsoid", &round),
-                                    std::pair<std::string, const Shape<3> *>("a polyhedron", &point)})
-  {
-    double off = std::abs(ball.volume() - other->volume());
-    for (const Point &x : ball.surface(0.3).vertices)
-    {
-      const SurfacePlace<3> a = ball.place(x), b = other->place(x);
-      off = std::max({off, a.position.distance(b.position), (a.normal - b.normal).norm(),
-                      (a.bend - b.bend).norm(), std::abs(a.bend[0][0] - 1. / 1.3)});
-    }
-    std::cout << "a ball as " << name << " is another one by " << below(1e-12, off) << '\n';
-  }
+  const CylinderSolid low(center, 1.3, 2.6, 1.3, turn);
+  std::cout << "a ball is another one as an ellipsoid by " << below(1e-12, apart(ball, round))
+            << ", as a polyhedron by " << below(1e-12, apart(ball, point)) << ", as a cylinder by "
+            << below(1e-12, apart(ball, low)) << '\n'
+            << "a cube is another one as a box by "
+            << below(1e-12, apart(Polyhedron(center, {cube.begin(), cube.begin() + 8}, 0.4, turn),
+                                  BoxSolid(center, Vector({2.8, 2.8, 2.8}), 0.4, turn)))
+            << ", a rod as a cylinder by "
+            << below(1e-12,
+                     apart(Polyhedron(center, {Vector({0., 0., 1.}), Vector({0., 0., -1.})}, 0.6, turn),
+                           CylinderSolid(center, 0.6, 3.2, 0.6, turn)))
+            << '\n';
 
   // A ball of triangles is nearly one, also where their corners run the other way.
   TriangulatedSurface triangles = ball.surface(0.1);

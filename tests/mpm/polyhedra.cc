@@ -3,7 +3,7 @@
 // until walls hold it, which takes a tenth of their work; every state is in balance. The mirror image, the
 // same with the names exchanged, with corners in another order and with two threads, is the same. A rod that
 // lies on a plate takes the force of one whose corners are told with the middle, and a ball told by one
-// corner the force of a ball.
+// corner the force of a ball. A pin is the same as a rod and as a cylinder.
 #include "two_balls.h"
 
 #include <softgrain/base/exceptions.h>
@@ -23,7 +23,8 @@ Changes polyhedron(const std::string &name,
                    const std::string &rotation)
 {
   const std::string body = "Bodies/" + name + "/";
-  return {body + "Shape=polyhedron", body + "Center=" + center, body + "Vertices=" + vertices,
+  return {body + "Shape=polyhedron",      body + "Radius=0",
+          body + "Center=" + center,      body + "Vertices=" + vertices,
           body + "Edge radius=" + radius, body + "Rotation=" + rotation};
 }
 
@@ -90,13 +91,24 @@ int main()
             << below(0.06, rod.energy) << '\n';
   compare("told with its middle", 1e-6, rod, with_rod("0, 0, 0; 1.2, 0, 0; -1.2, 0, 0"));
 
+  const std::string across = "0.1, 0.2, 6.2", turned = "0, 90, 10";
+  compare(
+      "a pin as a cylinder", 1e-6,
+      pressed(both(plate, polyhedron("b", across, "0, 0, 1.2; 0, 0, -1.2", "1.8", turned))),
+      pressed(both(plate, {"Bodies/b/Shape=cylinder", "Bodies/b/Center=" + across, "Bodies/b/Radius=1.8",
+                           "Bodies/b/Height=6", "Bodies/b/Edge radius=1.8", "Bodies/b/Rotation=" + turned})));
+
   const Changes rough = {"Contact/Friction=0.4"};
   const Outcome ball = pressed(both(plate, {"Bodies/b/Center=0.1, 0.2, 6.2", "Bodies/b/Radius=2.2"}), rough);
   compare("a ball as one corner", 1e-7, ball,
           pressed(both(plate, polyhedron("b", "0.1, 0.2, 6.2", "0, 0, 0", "2.2", "0, 0, 0")), rough));
-  for (const Changes &wrong : {Changes{"Bodies/a/Shape=polyhedron"},
-                               Changes{"Bodies/a/Shape=polyhedron", "Bodies/a/Vertices=0, 0, 0"},
-                               polyhedron("a", "0, 0, 3", "-2.5, 0, 0; 2.5, 0, 0", "0.2", "0, 0, 0")})
+  for (const Changes &wrong :
+       {Changes{"Bodies/a/Shape=polyhedron", "Bodies/a/Radius=0"},
+        Changes{"Bodies/a/Shape=polyhedron", "Bodies/a/Radius=0", "Bodies/a/Vertices=0, 0, 0"},
+        polyhedron("a", "0, 0, 3", "-2.5, 0, 0; 2.5, 0, 0", "0.2", "0, 0, 0"),
+        Changes{"Bodies/a/Shape=box", "Bodies/a/Radius=0", "Bodies/a/Size=3, 2, 1",
+                "Bodies/a/Edge radius=0.6"},
+        Changes{"Bodies/a/Shape=cylinder", "Bodies/a/Height=3", "Bodies/a/Edge radius=3"}})
     try
     {
       two_balls(wrong);

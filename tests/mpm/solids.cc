@@ -23,15 +23,15 @@ Changes ellipsoid(const std::string &name,
                   const std::string &rotation)
 {
   const std::string body = "Bodies/" + name + "/";
-  return {body + "Shape=ellipsoid", body + "Center=" + center, body + "Semi-axes=" + axes,
+  return {body + "Shape=ellipsoid", body + "Radius=0", body + "Center=" + center, body + "Semi-axes=" + axes,
           body + "Rotation=" + rotation};
 }
 
 Changes box(const std::string &name, const std::string &center, const std::string &rotation)
 {
   const std::string body = "Bodies/" + name + "/";
-  return {body + "Shape=superellipsoid", body + "Center=" + center, body + "Semi-axes=2.1, 2.0, 2.2",
-          body + "Exponents=3, 4", body + "Rotation=" + rotation};
+  return {body + "Shape=superellipsoid",    body + "Radius=0",       body + "Center=" + center,
+          body + "Semi-axes=2.1, 2.0, 2.2", body + "Exponents=3, 4", body + "Rotation=" + rotation};
 }
 
 Changes both(Changes a, const Changes &b)
@@ -93,10 +93,10 @@ int main()
                 same = balls(both(ellipsoid("a", low, "2.1, 2.1, 2.1", "0, 0, 0"),
                                   ellipsoid("b", high, "2.2, 2.2, 2.2", "0, 0, 0")));
   std::cout << "balls as ellipsoids off by " << below(1e-7, off(round, same, {0, 1, 2, 3, 4, 5})) << '\n';
-  for (const Changes &wrong :
-       {Changes{"Bodies/a/Shape=ellipsoid"},
-        Changes{"Bodies/a/Shape=superellipsoid", "Bodies/a/Semi-axes=2, 2, 2", "Bodies/a/Exponents=2, 30"},
-        ellipsoid("a", "0.2, 0, 2.6", "2.3, 2.3, 2.3", "0, 0, 0")})
+  for (const Changes &wrong : {Changes{"Bodies/a/Shape=ellipsoid", "Bodies/a/Radius=0"},
+                               Changes{"Bodies/a/Shape=superellipsoid", "Bodies/a/Radius=0",
+                                       "Bodies/a/Semi-axes=2, 2, 2", "Bodies/a/Exponents=2, 30"},
+                               ellipsoid("a", "0.2, 0, 2.6", "2.3, 2.3, 2.3", "0, 0, 0")})
     try
     {
       two_balls(wrong);

@@ -4,6 +4,8 @@
 
 #include <softgrain/geometry/solid.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 namespace softgrain
 {
 /**

@@ -3,7 +3,7 @@
 #define softgrain_geometry_polyhedron_h
 
 #include <softgrain/geometry/convex_hull.h>
-#include <softgrain/geometry/convex_solid.h>
+#include <softgrain/geometry/rounded_solid.h>
 
 #include <vector>
 
@@ -14,10 +14,9 @@ namespace softgrain
  * smallest convex body around some points (a spheropolyhedron: L. Pournin and T. M. Liebling, A
  * generalization of distinct element method to tridimensional particles with complex shapes, 2005).
  *
- * Two points make a rod with round ends, points in a plane a plate with a round rim. Distances, normals and
- * curvatures are exact. The curvature jumps where a face meets the round edge beside it; normals do not.
+ * Two points make a rod with round ends, points in a plane a plate with a round rim.
  */
-class Polyhedron final : public ConvexSolid
+class Polyhedron : public RoundedSolid
 {
 public:
   Polyhedron() = default;
@@ -27,26 +26,25 @@ public:
   void declare_parameters(dealii::ParameterHandler &prm) const override;
   void parse_parameters(const dealii::ParameterHandler &prm, const Place &center) override;
   void check(const std::string &body) const override;
-  /// The distance from the surface.
-  double depth(const Place &p) const override;
-  SurfacePlace<3> place(const Place &x) const override;
   bool round() const override { return hull.corners.size() == 1; }
   /// Steiner's formula is V + S r + (sum of the edges' lengths times turns)/2 r^2 + 4/3 pi r^3.
   double volume() const override;
   std::pair<double, double> distances_from_plane(const Place &point, const Vector &normal) const override;
-  TriangulatedSurface surface(double spacing) const override;
   std::vector<double> numbers() const override;
 
 protected:
-  Vector outward(const Place &p) const override;
+  /// Takes its corners from the centre, before the turn.
+  void set_vertices(std::vector<Vector> told);
+
   Vector extents() const override;
   double beyond_extents() const override;
+  Vector from_core(const Place &x) const override { return hull.foot(x).off; }
+  double depth_in_core(const Place &x) const override { return hull.depth(x); }
+  double reach_of_core() const override;
+  dealii::Tensor<2, 3> turn_of_normal(const Place &x) const override;
 
 private:
-  void find_hull();
-
   std::vector<Vector> vertices; ///< as told [m]
-  double radius = 0.;           ///< of the edges [m]
   ConvexHull hull;              ///< in its place
 };
 } // namespace softgrain

@@ -56,7 +56,7 @@ def cases():
          {"expected": (STOPPED,), "limits": HARD})])
     for size, wide in (("20e-3, 1e-3", 1e-3), ("2e-3, 12e-3", 2e-3)):
         yield Case(f"rectangle of {size} m", ONE,
-                   ("Bodies/disk/Shape=rectangle", f"Bodies/disk/Size={size}", "Mesh/Cell size=5e-4", "Mesh/Lower=-12e-3, -8e-3",
+                   ("Bodies/disk/Shape=rectangle", "Bodies/disk/Radius=0", f"Bodies/disk/Size={size}", "Mesh/Cell size=5e-4", "Mesh/Lower=-12e-3, -8e-3",
                     "Mesh/Upper=12e-3, 8e-3", f"Walls/bottom/Point=0, {-0.5 * float(size.split(',')[1])}",
                     f"Walls/top/Point=0, {0.5 * float(size.split(',')[1])}", f"Walls/top/Velocity={float(size.split(',')[1])}"),
                    length=5e-4, checks={"it carries": carries}, expected=(RIGHT, STOPPED) if wide == 2e-3 else (RIGHT,))

@@ -30,7 +30,7 @@ struct PointFunctions
 {
   const unsigned int *nodes;
   const double *values;
-  /// In the configuration in which the field was built [1/m].
+  /// Derivatives in the configuration in which the field was built [1/m].
   const dealii::Tensor<1, dim> *slopes;
 };
 
