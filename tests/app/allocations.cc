@@ -102,7 +102,7 @@ void loops_of_a_body(const std::string &f_bar)
   lay_out_stiffness(body.field, matrix, false);
   BandedSolver solver;
   const Eigen::VectorXd u = Eigen::VectorXd::Zero(body.field.n_dofs());
-  Eigen::VectorXd force, mass = body.mass;
+  Eigen::VectorXd force, mass = body.nodes.mass;
   std::map<std::string, unsigned long> asked;
   for (unsigned int round = 0; round < 3; ++round) // the first lays out
   {

@@ -14,8 +14,8 @@ double turning_of(const Snapshot<2> &now)
 {
   double sum = 0.;
   for (const BodyState<2> &body : now.bodies)
-    sum += body.angular_momentum + body.nodes.mass * (body.center[0] * body.nodes.velocity[1] -
-                                                      body.center[1] * body.nodes.velocity[0]);
+    sum += body.angular_momentum +
+           body.mass * (body.center[0] * body.velocity[1] - body.center[1] * body.velocity[0]);
   return sum;
 }
 
@@ -32,13 +32,13 @@ void collide(const std::string &what, const std::vector<std::string> &changes)
               penetration = std::max(penetration, report.max_penetration);
             });
   const Snapshot<2> end = model->snapshot();
-  const double before = start.bodies[0].nodes.velocity[0] - start.bodies[1].nodes.velocity[0],
+  const double before = start.bodies[0].velocity[0] - start.bodies[1].velocity[0],
                after = end.bodies[1].nodes.velocity[0] - end.bodies[0].nodes.velocity[0];
   std::cout << what << ": restitution " << after / before << ", dissipated "
             << end.energies.dissipated / start.energies.kinetic << " of the energy, balance "
             << below(1e-2, energy.error()) << ", momentum " << below(1e-13, model->momentum_error())
             << ", turning "
-            << below(1e-2, (turning_of(end) - turning_of(start)) / (start.bodies[0].nodes.mass * 5e-3))
+            << below(1e-2, (turning_of(end) - turning_of(start)) / (start.bodies[0].mass * 5e-3))
             << ", penetration in cells " << below(0.05, penetration / 6e-4) << '\n';
 }
 /// Frictionless disks collide off the line of centres, by 0.1 to 1 R. A round disk should hardly turn, but
@@ -60,7 +60,7 @@ Turning without_friction(const std::string &cell)
     const double before = turning_of(model->snapshot());
     run_until(*model, 1.6e-3);
     const Snapshot<2> end = model->snapshot();
-    const double whole = end.bodies[0].nodes.mass * 5e-3;
+    const double whole = end.bodies[0].mass * 5e-3;
     worst.lost = std::max(worst.lost, std::abs(turning_of(end) - before) / whole);
     for (const BodyState<2> &body : end.bodies)
       worst.spin = std::max(worst.spin, std::abs(body.angular_momentum) / whole);

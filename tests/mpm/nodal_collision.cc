@@ -31,7 +31,7 @@ Result collide(const std::string &scheme, const ContactCoupling coupling)
     body.name = name;
     body.center = dealii::Point<2>(x, y);
     body.shape = std::make_shared<Disk2D>(body.center, radius);
-    body.nodes.velocity = velocity;
+    body.velocity = velocity;
     scene.bodies.push_back(body);
   };
   disk("left", -0.004, 0., 0.004, "5; 0");

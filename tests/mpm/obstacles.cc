@@ -257,7 +257,7 @@ void turns(const double friction)
     EnergyWatch energy(*model);
     run_until(*model, 4e-3, [&](const StepReport &) { energy.look(*model); });
     std::cout << "plate that turns, friction " << friction << ", the scene at " << x << ": "
-              << (model->snapshot().bodies[0].nodes.velocity[1] > 0.2 ? "thrown up" : "NOT thrown up")
+              << (model->snapshot().bodies[0].velocity[1] > 0.2 ? "thrown up" : "NOT thrown up")
               << ", energy error " << below(1e-3, energy.error()) << '\n';
   }
 }
