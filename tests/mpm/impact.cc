@@ -33,7 +33,7 @@ void collide(const std::string &what, const std::vector<std::string> &changes)
             });
   const Snapshot<2> end = model->snapshot();
   const double before = start.bodies[0].velocity[0] - start.bodies[1].velocity[0],
-               after = end.bodies[1].nodes.velocity[0] - end.bodies[0].nodes.velocity[0];
+               after = end.bodies[1].velocity[0] - end.bodies[0].velocity[0];
   std::cout << what << ": restitution " << after / before << ", dissipated "
             << end.energies.dissipated / start.energies.kinetic << " of the energy, balance "
             << below(1e-2, energy.error()) << ", momentum " << below(1e-13, model->momentum_error())
