@@ -61,4 +61,5 @@ void BodyRows<dim>::reinit(const Body<dim> &body,
 }
 
 template class BodyRows<2>;
+template class BodyRows<3>;
 } // namespace softgrain::mpm

@@ -86,4 +86,9 @@ template void ContactSystem<2>::color(const std::vector<unsigned int> &,
                                       contact::Problem::Range,
                                       std::vector<std::vector<char>> &);
 template void ContactSystem<2>::color_pairs(const std::vector<Body<2>> &);
+template void ContactSystem<3>::list_components(const std::vector<Body<3>> &);
+template void ContactSystem<3>::color(const std::vector<unsigned int> &,
+                                      contact::Problem::Range,
+                                      std::vector<std::vector<char>> &);
+template void ContactSystem<3>::color_pairs(const std::vector<Body<3>> &);
 } // namespace softgrain::mpm

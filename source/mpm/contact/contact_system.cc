@@ -294,5 +294,7 @@ void ContactSystem<dim>::save_problem(const std::string &file,
 }
 
 template void take_back_softness<2>(const ContactSystem<2> &, double, std::vector<double> &);
+template void take_back_softness<3>(const ContactSystem<3> &, double, std::vector<double> &);
 template class ContactSystem<2>;
+template class ContactSystem<3>;
 } // namespace softgrain::mpm

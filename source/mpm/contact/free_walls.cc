@@ -113,4 +113,5 @@ void FreeWalls<dim>::move(const std::vector<double> &impulse)
 }
 
 template class FreeWalls<2>;
+template class FreeWalls<3>;
 } // namespace softgrain::mpm

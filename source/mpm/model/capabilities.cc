@@ -126,6 +126,14 @@ std::string walls_along_bodies(const Scene<2> &scene, const Settings &)
   return "";
 }
 
+std::string cells_in_space(const Scene<3> &scene, const Settings &)
+{
+  for (const WallDescription<3> &wall : scene.walls)
+    if (wall.type == WallDescription<3>::Type::periodic)
+      return "'Walls/" + wall.name + "/Type' = 'periodic'";
+  return "";
+}
+
 constexpr const char *no_velocity =
     " is not allowed with 'Time/Scheme' = 'SCHEME', where velocities have no meaning: leave it at 0, or give "
     "a 'Body force'";
@@ -144,7 +152,8 @@ const std::vector<Capability<2>> in_the_plane = {
     {walls_along_bodies, sees_cells, " needs 'Contact/Geometry' = 'rays' and an implicit 'Time/Scheme'"}};
 
 const std::vector<Capability<3>> in_space = {
-    {space, knows_space, ": it must be 'quasi_static' or 'moreau_jean'"},
+    {space, knows_space, ": it must be 'quasi_static', 'moreau_jean' or 'explicit'"},
+    {cells_in_space, sees_cells, " needs an implicit 'Time/Scheme'"},
     {loads_of_velocity<3>, has_inertia, no_velocity},
     {free_obstacles<3>, has_inertia, no_inertia},
     {motion_at_start<3>, has_inertia, no_motion}};

@@ -10,6 +10,7 @@
 #include <softgrain/mpm/model/long_steps.h>
 #include <softgrain/mpm/model/rank_report.h>
 #include <softgrain/mpm/model/space_model.h>
+#include <softgrain/mpm/stepping/explicit_space_step.h>
 #include <softgrain/mpm/stepping/moving_step.h>
 #include <softgrain/mpm/stepping/safe_step.h>
 #include <softgrain/scene/motion_at_start.h>
@@ -103,7 +104,7 @@ SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const La
     add_body(description, laws[description.material], scene.materials[description.material].density);
   work.timer = timer.get();
   share_out_bodies();
-  work.reinit(state.bodies, settings.linear_solver);
+  work.reinit(state.bodies, settings.linear_solver, settings.scheme.solves_equations());
   driven = make_walls(scene);
   for (const WallDescription<3> &wall : scene.walls)
     wall_names.push_back(wall.name);
@@ -113,6 +114,7 @@ SpaceModel::SpaceModel(const Scene<3> &scene, const Settings &settings, const La
   for (const Obstacle<3> &obstacle : state.obstacles)
     check_thickness(obstacle.description, settings.cell_size);
   choose_for_long_steps(wanted_step(), cfl_step(), this->settings);
+  this->settings.scheme.check_step(wanted_step(), cfl_step());
   state.motion.impulse = momentum();
 }
 
@@ -208,7 +210,8 @@ double SpaceModel::wanted_step() const
   if (settings.wall_way > 0. && at_rest())
     if (const double speed = fastest_obstacle(std::min(told, 1e3 * settings.cell_size)); speed > 0.)
       by_walls = std::min(by_walls, settings.wall_way * settings.cell_size / speed);
-  const double by_waves = settings.step.wanted(settings.cfl_multiple * cfl_step());
+  const double by_waves =
+      settings.step.wanted(settings.scheme.cfl_multiple(settings.cfl_multiple) * cfl_step());
   if (!at_rest() && (by_walls == longest || (settings.chosen_way && moved_by_more)))
     return std::min(by_waves, by_walls);
   return std::min(told, by_walls);
@@ -230,7 +233,9 @@ SpaceModel::try_step(const double dt, const double wanted, const std::size_t cut
 {
   const SpaceMotion planned = motion(dt);
   const StepOutcome outcome = at_rest() ? SpaceAtRest(state, scene(), planned).go(dt, wanted)
-                                        : moving_step(state, scene(), planned, dt);
+                              : settings.scheme.solves_equations()
+                                  ? moving_step(state, scene(), planned, dt)
+                                  : explicit_space_step(state, scene(), planned, dt);
   note(outcome, report);
   state.law_cuts += outcome.law_asks;
   if (!outcome.accepted)

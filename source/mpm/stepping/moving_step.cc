@@ -15,40 +15,11 @@
 
 namespace softgrain::mpm
 {
-namespace
-{
-class MovingStep : public SpaceRayStep
-{
-public:
-  MovingStep(SpaceState &state,
-             const SpaceScene &space,
-             SpaceMotion &motion,
-             const StepPlan &plan,
-             MovingEquations &equations);
-
-  std::string find();
-  void accept(SpaceState &state);
-
-private:
-  void note_contact_work();
-  std::string why_contact_gives() const;
-  /// What all learn of a body: what the scheme damped and what held it took [J], the momentum of its nodes,
-  /// and the impulse of its loads [N s].
-  using OfBody = std::array<double, 6>;
-  /// Ends the step of an owned body.
-  OfBody end_of(const Body<3> &body);
-  void accept_motion(SpaceState &state);
-
-  MovingEquations &moving;
-  std::vector<double> obstacle_work; ///< on the bodies [J]
-  double taken = 0.;                 ///< of all work by contact [J]
-};
-
 MovingStep::MovingStep(SpaceState &state,
                        const SpaceScene &space,
                        SpaceMotion &motion,
                        const StepPlan &plan,
-                       MovingEquations &equations)
+                       SpaceEquations &equations)
     : SpaceRayStep(state, space, motion, plan, equations)
     , moving(equations)
     , obstacle_work(motion.obstacles.size(), 0.)
@@ -59,7 +30,7 @@ MovingStep::MovingStep(SpaceState &state,
 
 std::string MovingStep::find()
 {
-  if (std::string trouble = SpaceRayStep::find(); !trouble.empty())
+  if (std::string trouble = find_ways(); !trouble.empty())
     return trouble;
   heed_laws(world.bodies, moving.stress_outcome(), outcome);
   if (outcome.law_asks)
@@ -82,7 +53,7 @@ void MovingStep::note_contact_work()
         }
   for (const auto &[work] : world.share.numbers<1>(
            world.bodies, [&](const Body<3> &body)
-           { return std::array<double, 1>{contact_forces(body.index).dot(way[body.index])}; }))
+           { return std::array<double, 1>{forces_on(body.index).dot(way_at_work(body.index))}; }))
     taken -= work;
   if (cell)
     taken -= plan.dt * scalar_product(cell->gradient, virial());
@@ -113,10 +84,8 @@ std::string MovingStep::why_contact_gives() const
 MovingStep::OfBody MovingStep::end_of(const Body<3> &body)
 {
   const unsigned int b = body.index;
-  spread_imbalance(body, moving.missing(b) + plan.dt * contact_forces(b), trial[b]);
-  OfBody told{};
-  told[0] = moving.damping(b, trial[b]);
-  told[1] = moving.held_work(b);
+  const std::array<double, 2> of_scheme = end(body);
+  OfBody told{of_scheme[0], of_scheme[1]};
   const Eigen::VectorXd &load = moving.external[b];
   for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
   {
@@ -164,7 +133,8 @@ void MovingStep::accept(SpaceState &state)
       [this](const Body<3> &body)
       {
         const Eigen::VectorXd &load = moving.external[body.index];
-        return load.size() > 0 ? works_of_loads(body, load, moving.load_times()) : std::vector<double>();
+        return load.size() > 0 ? works_of_loads(body, load, way_at_work(body.index), moving.load_times())
+                               : std::vector<double>();
       },
       state);
   accept_motion(state);
@@ -185,6 +155,31 @@ void MovingStep::accept(SpaceState &state)
     if (contact.partner == ContactFrame<3>::none)
       state.motion.impulse += plan.dt * contact.force;
 }
+namespace
+{
+/// A step of `moreau_jean`: Newton's method finds bodies and contact together.
+class ImplicitMovingStep final : public MovingStep
+{
+public:
+  ImplicitMovingStep(SpaceState &state,
+                     const SpaceScene &space,
+                     SpaceMotion &motion,
+                     const StepPlan &plan,
+                     MovingEquations &equations)
+      : MovingStep(state, space, motion, plan, equations), moving(equations)
+  {
+  }
+
+private:
+  std::array<double, 2> end(const Body<3> &body) override
+  {
+    const unsigned int b = body.index;
+    spread_imbalance(body, moving.missing(b) + plan.dt * contact_forces(b), trial[b]);
+    return {{moving.damping(b, trial[b]), moving.held_work(b)}};
+  }
+
+  MovingEquations &moving;
+};
 } // namespace
 
 StepOutcome
@@ -193,7 +188,7 @@ moving_step(SpaceState &state, const SpaceScene &scene, const SpaceMotion &motio
   const StepPlan plan{dt, false, 0.};
   MovingEquations equations(state.bodies, scene.settings, scene.work, plan, state.time, scene.frictionless);
   SpaceMotion planned = motion;
-  MovingStep step(state, scene, planned, plan, equations);
+  ImplicitMovingStep step(state, scene, planned, plan, equations);
   return try_ray_step(step, state);
 }
 } // namespace softgrain::mpm

@@ -19,9 +19,18 @@ constexpr unsigned int widest_band = 2000;
 /// Of the torque that keeps a round body from turning, see StepEquations. Other bodies resist turning as they
 /// resist all motion.
 constexpr double locked = 1e4;
+
+/// Steps that solve no equations know where bodies are when they begin, and no more.
+LoadTimes times_of_loads(const TimeScheme &scheme, const StepPlan &plan, const double time)
+{
+  const double share = plan.held || !scheme.solves_equations() ? 0. : scheme.loads_at();
+  return {time + share * plan.dt, time, plan.dt, !scheme.solves_equations()};
+}
 } // namespace
 
-void SpaceWorkspace::reinit(const std::vector<Body<3>> &bodies, const LinearSolverSettings &settings)
+void SpaceWorkspace::reinit(const std::vector<Body<3>> &bodies,
+                            const LinearSolverSettings &settings,
+                            const bool equations)
 {
   LinearSolverSettings of_space = settings;
   of_space.automatic_band = widest_band;
@@ -31,7 +40,7 @@ void SpaceWorkspace::reinit(const std::vector<Body<3>> &bodies, const LinearSolv
   for (const Body<3> &body : bodies)
   {
     solvers.emplace_back();
-    if (!share.mine(body.index))
+    if (!equations || !share.mine(body.index))
       continue;
     lay_out_stiffness(body.field, matrices[body.index], true);
     solvers.back() =
@@ -49,7 +58,7 @@ SpaceEquations::SpaceEquations(const std::vector<Body<3>> &bodies,
     , settings(settings)
     , work(work)
     , plan(plan)
-    , loads{time + (plan.held ? 0. : settings.scheme.loads_at()) * plan.dt, time, plan.dt, false}
+    , loads(times_of_loads(settings.scheme, plan, time))
     , missing_impulse(bodies.size())
     , shift(bodies.size())
     , rotations(bodies.size())
@@ -88,7 +97,7 @@ bool SpaceEquations::evaluate(const Vectors &v)
         const unsigned int b = body.index;
         increment[b] = increment_of(body, v[b]);
         Trial asked;
-        asked.tangent = true;
+        asked.tangent = settings.scheme.solves_equations();
         asked.max_strain = settings.max_strain;
         asked.dt = plan.law_dt();
         asked.time = end;

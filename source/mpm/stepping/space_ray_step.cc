@@ -169,10 +169,11 @@ void SpaceRayStep::load_sides_of_cell(SpaceState &state) const
   state.cell_offset = cell->offset_after(plan.dt);
 }
 
-std::vector<double>
-SpaceRayStep::works_of_loads(const Body<3> &body, const Eigen::VectorXd &load, const LoadTimes &times) const
+std::vector<double> SpaceRayStep::works_of_loads(const Body<3> &body,
+                                                 const Eigen::VectorXd &load,
+                                                 const Eigen::VectorXd &gone,
+                                                 const LoadTimes &times) const
 {
-  const Eigen::VectorXd &gone = way[body.index];
   std::vector<double> works = powers_of_loads(body, times, gone, gone);
   double left = load.dot(gone);
   for (const double work : works)

@@ -53,11 +53,11 @@ std::vector<double> StepAtRest::works_of_step(const Body<3> &body) const
     return {};
   LoadTimes times = of_space.load_times();
   if (plan.held)
-    return works_of_loads(body, of_step, times);
+    return works_of_loads(body, of_step, way[body.index], times);
   times.at = times.begin + 0.5 * plan.dt;
   Eigen::VectorXd load;
   external_force(body, times, load);
-  return works_of_loads(body, load, times);
+  return works_of_loads(body, load, way[body.index], times);
 }
 
 // From balance to balance friction does the work of the mean of both ends, but for what kinks tell.

@@ -91,6 +91,7 @@ class SymplecticEuler final : public TimeIntegrator
 {
 public:
   TimeScheme terms(double) const override { return {"", 1., TimeScheme::Steps::explicit_motion, {}}; }
+  bool in_space() const override { return true; }
   StepOutcome
   step(const Problem &problem, State &state, Workspace &work, const double dt, double) const override
   {

@@ -28,8 +28,8 @@ struct SpaceWorkspace
   std::vector<std::unique_ptr<LowRankSolver>> solvers; ///< likewise; null for others
   dealii::TimerOutput *timer = nullptr;
 
-  /// Lays out matrices and solvers of owned bodies.
-  void reinit(const std::vector<Body<3>> &bodies, const LinearSolverSettings &settings);
+  /// Lays out room for owned bodies. @param equations whether steps solve some, with matrices and solvers
+  void reinit(const std::vector<Body<3>> &bodies, const LinearSolverSettings &settings, bool equations);
 };
 
 /**

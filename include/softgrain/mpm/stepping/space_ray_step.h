@@ -27,9 +27,16 @@ public:
   std::string find() { return converge(); }
 
 protected:
+  using RayNewton<3>::Across;
+  using RayNewton<3>::at_rest;
   using RayNewton<3>::contact_forces;
   using RayNewton<3>::force;
   using RayNewton<3>::frames;
+  using RayNewton<3>::free_way;
+  using RayNewton<3>::h;
+  using RayNewton<3>::largest_way;
+  using RayNewton<3>::lay;
+  using RayNewton<3>::path;
   using RayNewton<3>::plan;
   using RayNewton<3>::rubbing;
   using RayNewton<3>::scene;
@@ -55,9 +62,12 @@ protected:
   /// from the place where it meets a wall, as the step begins, see load_sides() [N m].
   dealii::Tensor<2, 3> virial() const;
 
-  /// What each of the loads of a body does over its way [J]. @param load their force, taken at @p times
-  std::vector<double>
-  works_of_loads(const Body<3> &body, const Eigen::VectorXd &load, const LoadTimes &times) const;
+  /// What each of the loads of a body does over the way @p gone [J]. @param load their force, taken at @p
+  /// times
+  std::vector<double> works_of_loads(const Body<3> &body,
+                                     const Eigen::VectorXd &load,
+                                     const Eigen::VectorXd &gone,
+                                     const LoadTimes &times) const;
   /// Books what loads do. @param works_of gives works_of_loads() of an owned body; empty: nothing acts on it
   void account_loads(const std::function<std::vector<double>(const Body<3> &)> &works_of,
                      SpaceState &state) const;
