@@ -76,6 +76,8 @@ SCENES = {
                       "Bodies/Names=a, b, c, d", *BALLS, "Contact/Friction=.3", "Output/Snapshots every=.4", "Stop/End time=1.2"],
     "moving_balls": ["gallery/poured_spheres.prm", "Mesh/Cell size=2.7e-3", "Loads/Gravity=0, 0, -90", "Packing/Number=5",
                      "Output/Snapshots every=4e-3", "Stop/End time=0.012"],
+    "explicit_balls": ["gallery/poured_spheres.prm", "Mesh/Cell size=2.7e-3", "Loads/Gravity=0, 0, -90", "Packing/Number=5",
+                       "Time/Scheme=explicit", "Output/Snapshots every=4e-3", "Stop/End time=0.012"],
     "plastic_balls": ["gallery/twelve_plastic_spheres.prm", "Mesh/Cell size=.3", "Output/Snapshots every=2e-3", "Stop/End time=4e-3"],
     "thesis_method": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3", "Materials/gel/Law=linear_elastic",
                       "Material points/Shape function=linear", "Material points/Fill limit=0.01",
@@ -220,6 +222,9 @@ class SameBits(RankRuns):
 
     def test_moving_balls(self):
         self.check("moving_balls", (2,))
+
+    def test_explicit_balls(self):
+        self.check("explicit_balls", (2,))
 
     def test_plastic_balls(self):
         self.check("plastic_balls", (2,))

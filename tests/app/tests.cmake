@@ -86,7 +86,7 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/source/mpm)
       ranks.SameBits.test_bonded ranks.SameBits.test_bonded_friction ranks.SameBits.test_bonded_pressed
       ranks.SameBits.test_bonded_grain ranks.SameBits.test_bonded_cell
       ranks.SameBits.test_adhesion ranks.SameBits.test_bonded_adhesion ranks.SameBits.test_cell_of_balls
-      ranks.SameBits.test_moving_balls ranks.SameBits.test_plastic_balls)
+      ranks.SameBits.test_moving_balls ranks.SameBits.test_explicit_balls ranks.SameBits.test_plastic_balls)
     string(REGEX MATCH "^[a-z_]+" script ${name})
     string(REGEX REPLACE "^[a-z_]+\\." "" class ${name})
     add_test(NAME app/${name}

@@ -58,7 +58,7 @@ end
 void add_everywhere(const SpaceState &state)
 {
   SpaceWorkspace work;
-  work.reinit(state.bodies, LinearSolverSettings());
+  work.reinit(state.bodies, LinearSolverSettings(), true);
   for (const Body<3> &body : state.bodies)
   {
     std::set<unsigned int> with_points, cells;

@@ -143,7 +143,7 @@ public:
   }
   Eigen::VectorXd kept(const mpm::BodyEnd &end) const override
   {
-    return (end.velocity - end.before.velocity) / (newmark_gamma * end.plan.dt) -
+    return (end.velocity - end.before.nodes.velocity) / (newmark_gamma * end.plan.dt) -
            (1. - newmark_gamma) / newmark_gamma * acceleration(end.before, end.load);
   }
   mpm::StepOutcome step(const mpm::Problem &problem,
