@@ -67,15 +67,19 @@ double CylinderSolid::volume() const
          4. / 3. * PI * r * r * r;
 }
 
-CylinderSolid::Vector CylinderSolid::from_core(const Place &x) const
+CylinderSolid::Vector CylinderSolid::off_core(Vector at) const
 {
-  Vector at = (x - center) * turn;
   const double from_axis = std::hypot(at[0], at[1]),
                off = from_axis > core_radius ? 1. - core_radius / from_axis : 0.;
   at[0] *= off;
   at[1] *= off;
   at[2] -= std::clamp(at[2], -half_core, half_core);
-  return turn * at;
+  return at;
+}
+
+CylinderSolid::Vector CylinderSolid::from_core(const Place &x) const
+{
+  return turn * off_core((x - center) * turn);
 }
 
 double CylinderSolid::depth_in_core(const Place &x) const
@@ -92,7 +96,7 @@ double CylinderSolid::reach_of_core() const
 /// The side bends about the axis, a rim along itself as well, and an end does not.
 dealii::Tensor<2, 3> CylinderSolid::turn_of_normal(const Place &x) const
 {
-  const Vector at = (x - center) * turn, off = from_core(x) * turn, n = off / off.norm();
+  const Vector at = (x - center) * turn, off = off_core(at), n = off / off.norm();
   dealii::Tensor<2, 3> in_own;
   const double from_axis = std::hypot(at[0], at[1]);
   if (from_axis > core_radius)

@@ -100,16 +100,18 @@ void check_read_by_shape(const dealii::ParameterHandler &prm,
   for (const std::string &name : shapes.names())
     shapes.create(name)->declare_parameters(all);
   const ParameterSection read = parameter_tree(own);
-  const auto refuse = [&](const std::string &name)
+  const auto refuse = [&](const std::string &name, const std::string &unset)
   {
     throw InputError("'Bodies/" + body + "/" + name + "' = '" + prm.get(name) +
-                     "' has no effect with 'Shape' = '" + prm.get("Shape") + "': leave it out");
+                     "' has no effect with 'Shape' = '" + prm.get("Shape") + "': leave it out" +
+                     (unset.empty() ? "" : ", or set it to '" + unset + "'"));
   };
   for (const ParameterEntry &entry : parameter_tree(all).entries)
     if (read.entry(entry.name) == nullptr && prm.get(entry.name) != entry.default_value)
-      refuse(entry.name);
-  if (prm.get("Shape") == "polygon" && prm.get("Center") != "0, 0")
-    refuse("Center");
+      refuse(entry.name, entry.default_value);
+  const std::string at_origin = "0, 0";
+  if (prm.get("Shape") == "polygon" && prm.get("Center") != at_origin)
+    refuse("Center", at_origin);
 }
 
 template <int dim>

@@ -37,6 +37,8 @@ protected:
 
 private:
   void set(double whole_radius, double height);
+  /// As from_core(), along the axes of the cylinder: both from its centre [m].
+  Vector off_core(Vector at) const;
 
   double core_radius = 0., half_core = 0.; ///< radius and half the height of the core [m]
 };
