@@ -136,7 +136,7 @@ CylinderSolid::Vector CylinderSolid::extents() const
 
 double CylinderSolid::beyond_extents() const
 {
-  return std::sqrt(2.);
+  return std::max(1., std::hypot(core_radius / (core_radius + radius), half_core / (half_core + radius)));
 }
 
 namespace

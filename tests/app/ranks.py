@@ -77,7 +77,7 @@ SCENES = {
     "moving_balls": ["gallery/poured_spheres.prm", "Mesh/Cell size=2.7e-3", "Loads/Gravity=0, 0, -90", "Packing/Number=5",
                      "Output/Snapshots every=4e-3", "Stop/End time=0.012"],
     "explicit_balls": ["gallery/poured_spheres.prm", "Mesh/Cell size=2.7e-3", "Loads/Gravity=0, 0, -90", "Packing/Number=5",
-                       "Time/Scheme=explicit", "Output/Snapshots every=4e-3", "Stop/End time=0.012"],
+                       "Time/Scheme=explicit", "Time/Time step=1.5e-4", "Output/Snapshots every=2e-3", "Stop/End time=6e-3"],
     "plastic_balls": ["gallery/twelve_plastic_spheres.prm", "Mesh/Cell size=.3", "Output/Snapshots every=2e-3", "Stop/End time=4e-3"],
     "thesis_method": ["gallery/two_disks.prm", "Mesh/Cell size=1.2e-3", "Materials/gel/Law=linear_elastic",
                       "Material points/Shape function=linear", "Material points/Fill limit=0.01",

@@ -83,12 +83,12 @@ int main()
   set_n_threads(1);
 
   const Changes plate =
-      polyhedron("a", "0, 0, 2", "1.2, 1.2, 0; -1.2, 1.2, 0; -1.2, -1.2, 0; 1.2, -1.2, 0", "1.5", "0, 0, 10");
+      polyhedron("a", "0, 0, 2", "1, 1, 0; -1, 1, 0; -1, -1, 0; 1, -1, 0", "1.9", "0, 0, 10");
   const auto with_rod = [&](const std::string &vertices)
   { return pressed(both(plate, polyhedron("b", "0.1, 0.2, 6.2", vertices, "1.8", "5, 3, 25"))); };
   const Outcome rod = with_rod("-1.2, 0, 0; 1.2, 0, 0");
-  std::cout << "rod on plate: balance within 1e-3 " << (rod.left_over < 1e-3) << ", energy off by "
-            << below(0.06, rod.energy) << '\n';
+  std::cout << "rod on plate: pressed by " << rod.forces[1] << ", balance within 1e-3 "
+            << (rod.left_over < 1e-3) << ", energy off by " << below(0.06, rod.energy) << '\n';
   compare("told with its middle", 1e-6, rod, with_rod("0, 0, 0; 1.2, 0, 0; -1.2, 0, 0"));
 
   const std::string across = "0.1, 0.2, 6.2", turned = "0, 90, 10";
