@@ -148,7 +148,8 @@ TriangulatedSurface finely(const double spacing, const std::function<Triangulate
 
 void Sphere::declare_parameters(dealii::ParameterHandler &prm) const
 {
-  prm.declare_entry("Radius", "0", dealii::Patterns::Double(0), "Radius of a ball or of a cylinder. Units: m.");
+  prm.declare_entry("Radius", "0", dealii::Patterns::Double(0),
+                    "Radius of a ball or of a cylinder. Units: m.");
 }
 
 void Sphere::parse_parameters(const dealii::ParameterHandler &prm, const Place &body_center)

@@ -37,7 +37,7 @@ protected:
 
 private:
   void set(double whole_radius, double height);
-  /// As from_core(), along the axes of the cylinder: both from its centre [m].
+  /// The same way as from_core(), with both vectors along the axes of the cylinder and from its centre [m].
   Vector off_core(Vector at) const;
 
   double core_radius = 0., half_core = 0.; ///< radius and half the height of the core [m]

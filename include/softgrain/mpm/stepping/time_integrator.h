@@ -68,8 +68,8 @@ public:
   /// What it adds to the forces of one body in its equation of a step.
   virtual std::unique_ptr<BodyTerms<2>> terms_of(const BodyStart &start) const;
 
-  /// What the next step is to know of the nodes beside where they are and how fast, in NodalState::kept; empty:
-  /// nothing.
+  /// What the next step is to know of the nodes beside where they are and how fast, in NodalState::kept;
+  /// empty: nothing.
   virtual Eigen::VectorXd kept(const BodyEnd & /*end*/) const { return {}; }
 
   /**
