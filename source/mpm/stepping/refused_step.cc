@@ -23,7 +23,8 @@ std::string why_not(const Body<dim> &body, const StressOutcome &outcome)
            : outcome.leaps          ? "deformed by more than 'Newton/Largest strain' allows in one step"
                                     : "turned inside out")
        << " near (" << outcome.place
-       << ") m of its grid; a smaller 'Time/Time step' or 'Mesh/Cell size' may help";
+       << ") m of its grid; a smaller 'Time/Time step', another 'Mesh/Cell size' or a larger 'Material "
+          "points/Fill limit' may help";
   return text.str();
 }
 
