@@ -204,7 +204,7 @@ std::string ExplicitSpaceStep::solve_contacts()
   return text.str();
 }
 
-/// Forces of rays are those of their rows, along the directions that both have.
+/// Forces of rays add up to those of their rows.
 void ExplicitSpaceStep::take_impulses()
 {
   for (std::vector<double> &of_frame : force)
@@ -219,10 +219,24 @@ void ExplicitSpaceStep::take_impulses()
     const auto [f, k] = ray[r];
     const double opened = plan.dt * contact.velocities()[r * n];
     outcome.max_penetration = std::max(outcome.max_penetration, -(std::min(0., rows[r].gap) + opened));
-    force[f][k] = P[r * n] / (plan.dt * frames[f].derivatives().resultant(k).norm());
-    for (unsigned int c = 1; c < n; ++c)
+    const dealii::Tensor<1, 3> resultant = frames[f].derivatives().resultant(k);
+    force[f][k] = P[r * n] / (plan.dt * resultant.norm());
+    if (!frames[f].conditions().rubs(k))
+      continue;
+    dealii::Tensor<1, 3> given;
+    for (unsigned int c = 0; c < n; ++c)
+      given += P[r * n + c] / plan.dt * direction_of(rows[r], c);
+    // Friction of a ray lies across what its normals were when the step began: a little along the resultant.
+    dealii::Tensor<2, 3> directions;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      directions[d][0] = resultant[d];
       for (unsigned int m = 0; m < 2; ++m)
-        rubbing[f][k][m] += P[r * n + c] / plan.dt * (direction_of(rows[r], c) * frames[f].ray(k).rub.e[m]);
+        directions[d][1 + m] = frames[f].ray(k).rub.e[m][d];
+    }
+    const dealii::Tensor<1, 3> parts = invert(directions) * given;
+    force[f][k] = parts[0];
+    rubbing[f][k] = Across({parts[1], parts[2]});
   }
 }
 
