@@ -8,12 +8,14 @@
 #include <softgrain/parameters/parameter_values.h>
 #include <softgrain/parameters/within_section.h>
 #include <softgrain/scene/body_parameters.h>
+#include <softgrain/scene/solid_obstacles.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <iomanip>
+#include <map>
 #include <sstream>
 
 namespace softgrain
@@ -88,40 +90,39 @@ void add_spin(const dealii::Tensor<1, 3> &spin, BodyDescription<3> &body)
   body.velocity = sum.str();
 }
 
-/// @throw InputError when a parameter has a value that only other shapes read
+/// Parameters of a body that only other shapes than the one of this name read.
 template <int dim>
-void check_read_by_shape(const dealii::ParameterHandler &prm,
-                         const Shape<dim> &shape,
-                         const std::string &body)
+std::vector<std::string> read_by_others(const std::string &shape)
 {
   const Registry<Shape<dim>> &shapes = Registry<Shape<dim>>::instance();
   dealii::ParameterHandler own, all;
-  shape.declare_parameters(own);
+  shapes.create(shape)->declare_parameters(own);
   for (const std::string &name : shapes.names())
     shapes.create(name)->declare_parameters(all);
   const ParameterSection read = parameter_tree(own);
-  const auto refuse = [&](const std::string &name, const std::string &unset)
-  {
-    throw InputError("'Bodies/" + body + "/" + name + "' = '" + prm.get(name) +
-                     "' has no effect with 'Shape' = '" + prm.get("Shape") + "': leave it out" +
-                     (unset.empty() ? "" : ", or set it to '" + unset + "'"));
-  };
-  for (const ParameterEntry &entry : parameter_tree(all).entries)
-    if (read.entry(entry.name) == nullptr && prm.get(entry.name) != entry.default_value)
-      refuse(entry.name, entry.default_value);
-  const std::string at_origin = "0, 0";
-  if (prm.get("Shape") == "polygon" && prm.get("Center") != at_origin)
-    refuse("Center", at_origin);
+  std::vector<std::string> names;
+  for (const std::string &name : parameter_tree(all).entry_names())
+    if (read.entry(name) == nullptr)
+      names.push_back(name);
+  if (shape == "polygon")
+    names.push_back("Center");
+  return names;
 }
 
 template <int dim>
-BodyDescription<dim> parse_body(const std::string &name, dealii::ParameterHandler &prm)
+BodyDescription<dim> parse_body(const std::string &name,
+                                std::map<std::string, std::vector<std::string>> &unread,
+                                dealii::ParameterHandler &prm)
 {
   BodyDescription<dim> body;
   body.name = name;
   body.center = dealii::Point<dim>(vector_of_numbers<dim>(prm.get("Center")));
   std::shared_ptr<Shape<dim>> shape = Registry<Shape<dim>>::instance().create(prm.get("Shape"));
-  check_read_by_shape(prm, *shape, name);
+  const auto [others, first] = unread.try_emplace(prm.get("Shape"));
+  if (first)
+    others->second = read_by_others<dim>(prm.get("Shape"));
+  check_unused_by_shape(prm, "Bodies/" + name, others->second,
+                        dim == 3 ? declare_shape_in_space : declare_shape);
   shape->parse_parameters(prm, body.center);
   body.shape = shape;
   // A polygon says where it is by its corners alone; it turns about its middle as other shapes do.
@@ -175,10 +176,11 @@ BodyParameters::parse_parameters(dealii::ParameterHandler &prm,
     material_names.push_back(material.name);
 
   std::vector<BodyDescription<dim>> bodies;
+  std::map<std::string, std::vector<std::string>> unread; // of every shape that bodies have
   const auto parse_one = [&](const std::string &name)
   {
     const WithinSection section(prm, name);
-    bodies.push_back(parse_body<dim>(name, prm));
+    bodies.push_back(parse_body<dim>(name, unread, prm));
     const std::string material = prm.get("Material");
     if (material.empty() && materials.size() == 1)
       return;

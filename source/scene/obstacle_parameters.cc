@@ -124,9 +124,10 @@ void check_unused_by_shape(const dealii::ParameterHandler &prm,
   dealii::ParameterHandler fresh;
   declare(fresh);
   for (const std::string &name : others)
-    if (prm.get(name) != fresh.get(name))
+    if (const std::string unset = fresh.get(name); prm.get(name) != unset)
       throw InputError("'" + where + "/" + name + "' = '" + prm.get(name) +
-                       "' has no effect with 'Shape' = '" + prm.get("Shape") + "': leave it out");
+                       "' has no effect with 'Shape' = '" + prm.get("Shape") + "': leave it out" +
+                       (unset.empty() ? "" : ", or set it to '" + unset + "'"));
 }
 
 ObstacleParameters::ObstacleParameters(const std::vector<std::string> &names, const unsigned int dimension)

@@ -14,8 +14,8 @@ class ParameterHandler;
 
 namespace softgrain
 {
-/// Refuses values of parameters that only another `Shape` of an obstacle has. @param declare all parameters
-/// of the section. @throw InputError
+/// Refuses values of parameters that only another `Shape` of an obstacle or a body has. @param declare all
+/// parameters of the section. @throw InputError
 void check_unused_by_shape(const dealii::ParameterHandler &prm,
                            const std::string &where,
                            const std::vector<std::string> &others,

@@ -24,12 +24,34 @@ void place_in_cell(const FrameScene<2> &scene, const FrameState<2> &frame, Conta
 }
 } // namespace
 
-std::shared_ptr<const NodeWeights> weights_of(const PlaceFunctions<2> &function)
+template <int dim>
+std::shared_ptr<const NodeWeights> weights_of(const PlaceFunctions<dim> &function)
 {
   NodeWeights weights;
   weights.node.assign(function.node.begin(), function.node.end());
   weights.weight.assign(function.value.begin(), function.value.end());
   return std::move(weights).shared();
+}
+
+template <int dim>
+void tell_row(const FrameScene<dim> &scene,
+              const FrameState<dim> &frame,
+              const unsigned int k,
+              ContactRow<dim> &row)
+{
+  const dealii::Tensor<1, dim> resultant = frame.derivatives().resultant(k);
+  row.gap = frame.ray(k).at_start / resultant.norm();
+  row.law.softness = frame.conditions().ray_softness() / resultant.norm_square();
+  row.law.friction = frame.conditions().rubs(k) ? frame.conditions().friction_coefficient() : 0.;
+  for (const unsigned int side : {0, 1})
+    if (const unsigned int b = frame.unknown(side); b != FrameState<dim>::none)
+    {
+      // Who owns neither knows the place only.
+      const RaySide<dim> &there = frame.ray(k).side[side];
+      (side == 0 ? row.weights.partner : row.weights.body) =
+          weights_of(there.function.node.empty() ? scene.bodies[b].field.functions_at(there.place.position)
+                                                 : there.function);
+    }
 }
 
 ContactRow<2> row_of_ray(const FrameScene<2> &scene, const FrameState<2> &frame, const unsigned int k)
@@ -97,4 +119,9 @@ std::vector<ContactRow<2>> rows_of_frames(const FrameScene<2> &scene,
   }
   return rows;
 }
+
+template std::shared_ptr<const NodeWeights> weights_of(const PlaceFunctions<2> &);
+template std::shared_ptr<const NodeWeights> weights_of(const PlaceFunctions<3> &);
+template void tell_row(const FrameScene<2> &, const FrameState<2> &, unsigned int, ContactRow<2> &);
+template void tell_row(const FrameScene<3> &, const FrameState<3> &, unsigned int, ContactRow<3> &);
 } // namespace softgrain::mpm

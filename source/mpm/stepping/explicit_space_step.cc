@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/contact/contact_system.h>
+#include <softgrain/mpm/contact/frame_rows.h>
 #include <softgrain/mpm/contact/told_rays.h>
 #include <softgrain/mpm/stepping/explicit_space_step.h>
 #include <softgrain/mpm/stepping/moving_step.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace softgrain::mpm
@@ -65,6 +64,7 @@ private:
   void meet_halfway();
   void find_rows();
   void add_row(unsigned int f, unsigned int k, std::vector<ContactRow<3>> &rows, ContactMemory<3> &memory);
+  void push(const Body<3> &body, const Eigen::VectorXd &forces);
   void push_freely();
   std::string solve_contacts();
   void take_impulses();
@@ -113,30 +113,15 @@ void ExplicitSpaceStep::add_row(const unsigned int f,
     return;
   const ContactFrame<3> &layout = frame.layout();
   const dealii::Tensor<1, 3> resultant = frame.derivatives().resultant(k);
-  const double length = resultant.norm();
   ContactRow<3> row;
   row.body = layout.body;
   row.partner = layout.partner;
   row.wall = layout.wall;
-  row.normal = resultant / length;
+  row.normal = resultant / resultant.norm();
   row.place = here.side[1].place.position;
-  row.gap = here.at_start / length;
-  row.law.softness = frame.conditions().ray_softness() / resultant.norm_square();
-  row.law.friction = frame.conditions().rubs(k) ? frame.conditions().friction_coefficient() : 0.;
+  tell_row(scene, frame, k, row);
   if (layout.partner == none)
     row.velocity_of_place = way_of_partner(frame, k) / plan.dt;
-  for (const unsigned int side : {0, 1})
-    if (const unsigned int b = frame.unknown(side); b != none)
-    {
-      // Who owns neither knows the place only.
-      PlaceFunctions<3> function = here.side[side].function;
-      if (function.node.empty())
-        function = state.bodies[b].field.functions_at(here.side[side].place.position);
-      NodeWeights weights;
-      weights.node.assign(function.node.begin(), function.node.end());
-      weights.weight.assign(function.value.begin(), function.value.end());
-      (side == 0 ? row.weights.partner : row.weights.body) = std::move(weights).shared();
-    }
   row.key = rows.size();
   const dealii::Tensor<1, 3> given = force_on_body(f, k);
   for (unsigned int c = 0; c < 3; ++c)
@@ -156,6 +141,13 @@ void ExplicitSpaceStep::find_rows()
   contact.reinit(std::move(rows), world.share, true, state.bodies, plan.dt, memory);
 }
 
+/// What forces do to the velocities of a body in the step.
+void ExplicitSpaceStep::push(const Body<3> &body, const Eigen::VectorXd &forces)
+{
+  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
+    trial[body.index].segment<3>(3 * i) += plan.dt / body.nodes.mass[i] * forces.segment<3>(3 * i);
+}
+
 /// What forces and loads do to the velocities in the step, without contact.
 void ExplicitSpaceStep::push_freely()
 {
@@ -168,9 +160,7 @@ void ExplicitSpaceStep::push_freely()
                          if (equations.external[b].size() > 0)
                            pushes += equations.external[b];
                          trial[b] = body.nodes.velocity;
-                         for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
-                           trial[b].segment<3>(3 * i) +=
-                               plan.dt / body.nodes.mass[i] * pushes.segment<3>(3 * i);
+                         push(body, pushes);
                        });
 }
 
@@ -196,12 +186,7 @@ std::string ExplicitSpaceStep::solve_contacts()
   const contact::SolverReport report = contact.solve(std::move(relative), settings.contact_solver);
   outcome.contact_sweeps = report.sweeps;
   outcome.contact_residual = report.residual;
-  if (report.converged)
-    return "";
-  std::ostringstream text;
-  text << "the contact solver left a residual of " << report.residual << " after " << report.sweeps
-       << " sweeps ('Contact/Maximum sweeps')";
-  return text.str();
+  return report.converged ? "" : not_solved(report);
 }
 
 /// Forces of rays add up to those of their rows.
@@ -261,9 +246,7 @@ std::string ExplicitSpaceStep::find_ways()
       [&](const Body<3> &body)
       {
         const unsigned int b = body.index;
-        const Eigen::VectorXd pushes = forces_on(b);
-        for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
-          trial[b].segment<3>(3 * i) += plan.dt / body.nodes.mass[i] * pushes.segment<3>(3 * i);
+        push(body, forces_on(b));
         way[b] = plan.dt * trial[b];
       },
       [&](BodyShare::Message &message)

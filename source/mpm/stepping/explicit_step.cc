@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
 
 namespace softgrain::mpm
 {
@@ -44,10 +43,7 @@ void solve_contacts(const Problem &problem,
   outcome.contact_residual = report.residual;
   if (!report.converged)
   {
-    std::ostringstream text;
-    text << "the contact solver left a residual of " << report.residual << " after " << report.sweeps
-         << " sweeps ('Contact/Maximum sweeps')";
-    outcome.reason = text.str();
+    outcome.reason = not_solved(report);
     return;
   }
   for_moving(state.bodies,

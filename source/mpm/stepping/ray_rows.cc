@@ -86,20 +86,7 @@ void RayRows::add_row(const unsigned int f, const unsigned int k, std::vector<Co
   if (!here.met || !here.near || !(here.gap < within || force[f][k] != 0. || here.held.pull > 0.))
     return;
   ContactRow<2> row = row_of_ray(scene, frame, k);
-  row.gap = here.at_start / frame.derivatives().resultant(k).norm();
-  row.law.softness = frame.conditions().ray_softness() / frame.derivatives().resultant(k).norm_square();
-  row.law.friction = frame.conditions().rubs(k) ? frame.conditions().friction_coefficient() : 0.;
-  for (const unsigned int side : {0, 1})
-    if (const unsigned int b = frame.unknown(side); b != FrameState<2>::none)
-    {
-      // Who owns neither knows the place only.
-      const RaySide<2> &there = here.side[side];
-      auto &weights = side == 0 ? row.weights.partner : row.weights.body;
-      PlaceFunctions<2> function = there.function;
-      if (function.node.empty())
-        function = state.bodies[b].field.functions_at(there.place.position);
-      weights = weights_of(function);
-    }
+  tell_row(scene, frame, k, row);
   ray.emplace_back(f, k);
   rows.push_back(std::move(row));
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <softgrain/contact/gauss_seidel.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/step.h>
 
@@ -12,6 +13,12 @@ std::string short_number(const double value)
   std::ostringstream text;
   text << std::setprecision(3) << value;
   return text.str();
+}
+
+std::string not_solved(const contact::SolverReport &report)
+{
+  return "the contact solver left a residual of " + short_number(report.residual) + " after " +
+         std::to_string(report.sweeps) + " sweeps ('Contact/Maximum sweeps')";
 }
 
 template <int dim>

@@ -82,7 +82,6 @@ std::string StepContact::solve(const Vectors &v, const bool relative)
                               "time " + short_number(state.time) + " s, step " + short_number(plan.dt) + " s",
                               problem.settings.contact_solver);
   }
-  return "the contact solver left a residual of " + short_number(report.residual) + " after " +
-         std::to_string(report.sweeps) + " sweeps ('Contact/Maximum sweeps')";
+  return not_solved(report);
 }
 } // namespace softgrain::mpm

@@ -12,7 +12,16 @@
 namespace softgrain::mpm
 {
 /// The values of the shape functions at a place, as weights of the nodes of its body.
-std::shared_ptr<const NodeWeights> weights_of(const PlaceFunctions<2> &function);
+template <int dim>
+std::shared_ptr<const NodeWeights> weights_of(const PlaceFunctions<dim> &function);
+
+/// Gives a row of an explicit step what ray @p k tells of its gap at the start, its softness, its friction
+/// and the weights of nodes, for those who own neither body, too.
+template <int dim>
+void tell_row(const FrameScene<dim> &scene,
+              const FrameState<dim> &frame,
+              unsigned int k,
+              ContactRow<dim> &row);
 
 /// The contact row of ray @p k of a frame, without gap, friction and weights of nodes.
 ContactRow<2> row_of_ray(const FrameScene<2> &scene, const FrameState<2> &frame, unsigned int k);

@@ -10,6 +10,11 @@
 #include <string>
 #include <vector>
 
+namespace softgrain::contact
+{
+struct SolverReport;
+}
+
 namespace softgrain::mpm
 {
 struct StepOutcome;
@@ -30,6 +35,9 @@ std::string or_why_it_failed(const Iteration &iteration)
     return error.what();
   }
 }
+
+/// Why a step is no good whose contact problem was not solved.
+std::string not_solved(const contact::SolverReport &report);
 
 /// Why a step is no good in which the points of @p body came out as @p outcome tells.
 template <int dim>
