@@ -47,9 +47,12 @@ std::string judge_step(const Problem &problem,
                        const std::vector<WallMotion<2>> &motion,
                        const double dt,
                        const std::vector<Eigen::VectorXd> &increment,
-                       StepOutcome &outcome)
+                       StepOutcome &outcome,
+                       Verdict *const told)
 {
   const Verdict verdict = judge(problem, state, work, motion, dt, increment, 1.);
+  if (told != nullptr)
+    *told = verdict;
   const double depth = verdict.deepest.depth, h = problem.lattice->cell_size();
   outcome.max_penetration = std::max(outcome.max_penetration, depth);
   if (verdict.way > 1.)

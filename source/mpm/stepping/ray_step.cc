@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/body/whole_rotation.h>
+#include <softgrain/mpm/contact/denser_rays.h>
 #include <softgrain/mpm/contact/frame_adhesion.h>
 #include <softgrain/mpm/contact/frame_memory.h>
 #include <softgrain/mpm/contact/frame_rows.h>
@@ -37,6 +38,8 @@ public:
           StepEquations &equations);
 
   using RayNewton<2>::outcome;
+
+  Verdict verdict; ///< of the step that was found
 
   std::string find();
   void accept(State &state_to_change);
@@ -139,7 +142,7 @@ std::string RayStep::find()
       inertia ? why_contact_gives(problem, state, work, plan.dt, motion, equations.increment) : "";
   if (!given.empty())
     return given;
-  return judge_step(problem, state, work, motion, plan.dt, equations.increment, outcome);
+  return judge_step(problem, state, work, motion, plan.dt, equations.increment, outcome, &verdict);
 }
 
 // Rays that carry force, as those who keep accounts want them.
@@ -237,6 +240,8 @@ StepOutcome ray_step(const Problem &problem, State &state, Workspace &work, cons
   renew_outlines(state.bodies, work.outlines, state.frames);
   StepEquations equations(problem, state, work, plan);
   RayStep step(problem, state, work, plan, motion, equations);
-  return try_ray_step(step, state);
+  const StepOutcome outcome = try_ray_step(step, state);
+  lay_denser_rays(step.verdict, state.walls.size(), problem.lattice->cell_size(), state.frames);
+  return outcome;
 }
 } // namespace softgrain::mpm

@@ -24,7 +24,7 @@ constexpr double least_when_held = 1e-6, most_of_the_least = 1e-4, ease_of_least
 constexpr unsigned int creeps_after = 20; ///< held steps
 constexpr double ease = 0.3;              ///< of resistance, after a step that went well
 constexpr double rise = 10.;              ///< of it, after one that did not
-constexpr double most_resistance = 10.;   ///< beyond which bodies hardly move in a step
+constexpr double most_resistance = 1e4;   ///< beyond which bodies do not move in a step
 /// Of a step that can still be made shorter. Where bodies resist more, walls do work on them that belongs to
 /// no path of balances.
 constexpr double most_if_shorter = 0.1;
@@ -143,13 +143,14 @@ StepOutcome RaysAtRest::go(const double dt, const double wanted)
   StepPlan plan{dt, false, settings.regularisation};
   if (dt > short_enough * wanted)
     plan.most_resistance = most_if_shorter;
+  // However much bodies resist, walls press them as far: a short step moves hardly any wall.
+  const double most = dt > short_enough * wanted || walls_yield() ? most_on_the_way : most_resistance;
   for (;; plan.careful = true)
   {
     StepOutcome outcome = step(plan);
     if (outcome.accepted)
       outcome.unbalanced = unbalanced();
-    // However much bodies resist, walls press them as far.
-    if (outcome.accepted || plan.regularisation > most_on_the_way || outcome.too_long)
+    if (outcome.accepted || plan.regularisation > most || outcome.too_long)
       return outcome;
     // The start of the step has no minimum with so much resistance: all that is left would be tried again.
     if (outcome.newton_iterations == 0 && plan.regularisation * outcome.raised >= plan.most_resistance &&
@@ -188,14 +189,14 @@ StepOutcome RaysAtRest::settle(const double dt)
     sum.contact_sweeps += outcome.contact_sweeps;
     if (!outcome.accepted)
     {
+      if (plan.careful && plan.regularisation * outcome.raised > most_resistance)
+        throw ComputationError("no balance is found with the walls at rest: " + outcome.reason +
+                               "; 'Time/Scheme' = 'moreau_jean' has inertia, which carries bodies on where "
+                               "balance is lost");
       if (plan.careful)
         plan.regularisation *= rise;
       plan.careful = true;
       least = std::min(highest, rise * least);
-      if (plan.regularisation > most_resistance)
-        throw ComputationError("no balance is found with the walls at rest: " + outcome.reason +
-                               "; 'Time/Scheme' = 'moreau_jean' has inertia, which carries bodies on where "
-                               "balance is lost");
       continue;
     }
     // What a refused step has found is no state.

@@ -77,7 +77,7 @@ SpaceEquations::SpaceEquations(const std::vector<Body<3>> &bodies,
                           external[b].resize(0);
                         const double dt_2 = plan.dt * plan.dt;
                         shift[b] = plan.regularisation * dt_2 * young * std::cbrt(body.rest.area) /
-                                   body.nodes.mass.sum();
+                                   body.nodes.mass.size();
                         rotations[b] = frictionless ? Eigen::MatrixXd(whole_rotation(body))
                                                     : Eigen::MatrixXd(body.nodes.displacement.size(), 0);
                         rotation_weight[b] = 30. * (body.boundary.circular ? locked : plan.regularisation) *
@@ -127,7 +127,7 @@ void SpaceEquations::find_missing(const Body<3> &body, const Eigen::VectorXd &v)
   missing_impulse[b] = plan.dt * internal[b];
   if (external[b].size() > 0)
     missing_impulse[b] += plan.dt * external[b];
-  subtract_drag(body, shift[b], v, missing_impulse[b]);
+  missing_impulse[b] -= shift[b] * v;
   missing_impulse[b] -= rotations[b] * (rotation_weight[b] * (rotations[b].transpose() * v));
 }
 
@@ -149,7 +149,7 @@ void SpaceEquations::assemble_exact(const Body<3> &body)
   SystemMatrix &matrix = work.matrices[b];
   matrix.set_zero();
   add_stiffness(body, work.trial[b], plan.dt * plan.dt, matrix);
-  matrix.add_mass<3>(body.nodes.mass.cwiseAbs(), shift[b]);
+  matrix.add_to_diagonal(shift[b]);
   work.solvers[b]->set_update(rotations[b], rotation_weight[b]);
 }
 
@@ -159,7 +159,7 @@ void SpaceEquations::resist_more(const double factor, const Vectors &v, const bo
                       [&](const Body<3> &body)
                       {
                         const unsigned int b = body.index;
-                        mpm::resist_more(body, (factor - 1.) * shift[b], v[b], missing_impulse[b],
+                        mpm::resist_more((factor - 1.) * shift[b], v[b], missing_impulse[b],
                                          in_matrices ? &work.matrices[b] : nullptr);
                         shift[b] *= factor;
                       });
@@ -172,21 +172,11 @@ void SpaceEquations::solve_free(const unsigned int b, Eigen::VectorXd &x) const
 
 double SpaceEquations::held_back(const unsigned int b) const
 {
-  const Body<3> &body = bodies[b];
-  double sum = 0.;
-  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
-    sum +=
-        shift[b] / (plan.dt * plan.dt) * std::abs(body.nodes.mass[i]) * increment[b].segment<3>(3 * i).norm();
-  return sum;
+  return shift[b] / (plan.dt * plan.dt) * sum_of_lengths<3>(increment[b]);
 }
 
 double SpaceEquations::regularisation_work(const unsigned int b) const
 {
-  const Body<3> &body = bodies[b];
-  double sum = 0.;
-  for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
-    sum += 0.5 * shift[b] / (plan.dt * plan.dt) * std::abs(body.nodes.mass[i]) *
-           increment[b].segment<3>(3 * i).squaredNorm();
-  return sum;
+  return 0.5 * shift[b] / (plan.dt * plan.dt) * increment[b].squaredNorm();
 }
 } // namespace softgrain::mpm

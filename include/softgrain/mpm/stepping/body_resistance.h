@@ -8,23 +8,19 @@
 
 namespace softgrain::mpm
 {
-/// Takes from @p impulse what resists the velocities @p v: @p shift times the mass of every node, which
-/// counts as positive also where functions and extensions make it negative [N s m^(dim-3)].
+/// Sum over the nodes of the amounts of a vector with dim components per node.
 template <int dim>
-void subtract_drag(const Body<dim> &body, double shift, const Eigen::VectorXd &v, Eigen::VectorXd &impulse);
+double sum_of_lengths(const Eigen::VectorXd &of_nodes);
 
-/// Adds @p more to the shift in the impulse that is missing for @p v, and in the matrix, if one is given.
-template <int dim>
-void resist_more(const Body<dim> &body,
-                 double more,
-                 const Eigen::VectorXd &v,
-                 Eigen::VectorXd &missing,
-                 SystemMatrix *matrix);
+/// Resists the velocities @p v of nodes by @p more [N s^2/m^(3-dim)/m]: in the impulse that is missing for
+/// them, and in the matrix, if one is given.
+void resist_more(double more, const Eigen::VectorXd &v, Eigen::VectorXd &missing, SystemMatrix *matrix);
 
 /**
  * @brief What resists the motion of one body in a step without inertia: a share of the stiffness of its
  * softest material of the scene against the motion of nodes, and against a turn of the whole: a hard body
- * among soft ones is held by what they can bear. See doc/theory.md, "Without inertia".
+ * among soft ones is held by what they can bear. Every node resists alike: one at the rim, which holds little
+ * matter, is moved by contact as strongly as any other. See doc/theory.md, "Without inertia".
  */
 class BodyResistance final : public BodyTerms<2>
 {
@@ -64,11 +60,9 @@ public:
                    SystemMatrix *matrix) override;
 
 private:
-  /// What a node resists by: its mass, taken as positive where functions and extensions that are negative
-  /// somewhere make it negative [kg/m].
-  static double drag(const Body<2> &body, const unsigned int i) { return std::abs(body.nodes.mass[i]); }
-
-  double dt, shift, weight; ///< shift of the mass matrix; weight of the torque, per radian [N s^2 m/m]
+  double dt;
+  double shift;  ///< of the diagonal of the matrix [N s^2/m/m]
+  double weight; ///< of the torque, per radian [N s^2 m/m]
   WholeRotation<2> rotation;
   dealii::Tensor<1, 2> before;
 };

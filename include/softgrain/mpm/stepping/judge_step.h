@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_stepping_judge_step_h
 #define softgrain_mpm_stepping_judge_step_h
 
+#include <softgrain/mpm/contact/overlap_judge.h>
 #include <softgrain/mpm/stepping/step.h>
 
 #include <string>
@@ -18,6 +19,7 @@ namespace softgrain::mpm
  * not asked.
  * @param increment displacements of the nodes over the step [m]
  * @param outcome   is told the true depth, and with which share of the step to try again
+ * @param told      becomes what was found, if it is given
  * @return why the step may not be accepted: names, place and depth; empty when it may
  */
 std::string judge_step(const Problem &problem,
@@ -26,7 +28,8 @@ std::string judge_step(const Problem &problem,
                        const std::vector<WallMotion<2>> &motion,
                        double dt,
                        const std::vector<Eigen::VectorXd> &increment,
-                       StepOutcome &outcome);
+                       StepOutcome &outcome,
+                       Verdict *told = nullptr);
 } // namespace softgrain::mpm
 
 #endif

@@ -86,7 +86,7 @@ protected:
   Vectors missing_impulse;
 
 private:
-  std::vector<double> shift;              ///< of a body's mass matrix
+  std::vector<double> shift;              ///< of the diagonal of a body's matrix
   std::vector<Eigen::MatrixXd> rotations; ///< at the start of the step
   std::vector<double> rotation_weight;
   const double end; ///< of the step, as laws see time [s]
