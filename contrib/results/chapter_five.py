@@ -6,7 +6,8 @@ import argparse
 import math
 import pathlib
 
-from running import run_all
+import numpy as np
+from running import run_all, softgrain
 
 SIDE, GRAINS, DIAMETER = 10.3e-3, 30, 1.9e-3  # of the packing in the gallery's scenes: square root of its box [m], grains [m]
 AREA = 2.9e-6  # of a grain [m^2]
@@ -16,6 +17,7 @@ CLOSING = 0.2  # volume strain while pressure rises on soft grains with inertia
 RANGE = 32.  # of the pressures of a slow ramp
 DENSITY = {"mpm": 990., "bpm": 2000.}
 WORDS = {"Output/Fields every": "0", "Output/Measures": "all"}
+TURN = 0.02  # of shear strain before the way back, over which the mean pressure there is averaged
 
 
 def height(case):
@@ -125,6 +127,24 @@ def repeating(model):
     return {**changes, "Mesh/Lower": "-3e-3, -3e-3"} if model == "mpm" else changes
 
 
+def pressure_at_turn(folder):
+    """(s1 + s2)/2 on the walls over the last TURN of shear strain of the stage "shear" of a run [Pa]."""
+    rows = softgrain.open(folder).history_table
+    stage = rows["stage"].astype(int)
+    width, height = (rows[f"{b}_position_m"] - rows[f"{a}_position_m"] for a, b in (("left", "right"), ("bottom", "top")))
+    strain, turn = np.log(width / height), stage == 2
+    kept = turn & (strain >= strain[turn][-1] - TURN)
+    across = 0.5 * (rows["top_force_N_per_m"] + rows["bottom_force_N_per_m"]) / width
+    return float(np.mean((0.5 * across + 0.25 * (rows["left_force_N_per_m"] + rows["right_force_N_per_m"]) / height)[kept]))
+
+
+def mean_held(changes, turned):
+    """The way back of the run in @turned with the mean pressure held that the walls had when it began."""
+    held = {"Stages/unload/right/Drive": "mean_pressure", "Stages/unload/right/Mean pressure": f"{pressure_at_turn(turned):.5g}"}
+    damping = changes.get("Stages/shear/right/Damping")
+    return {**changes, **held, **({"Stages/unload/right/Damping": damping} if damping else {})}
+
+
 SCENES = {"mpm": material_points, "bpm": bonded}
 COMPACTED = {"mpm": "stage-compress.h5", "bpm": "stage-compact.h5"}
 
@@ -146,6 +166,9 @@ def cases(arguments):
                     changes = {**WORDS, **changes, **(repeating(arguments.model) if case.periodic else {}),
                                "Contact/Friction": f"{friction:g}", "Packing/Seed": str(seed), **further}
                     yield name + case.suffix, scene, changes, prepared
+                    if unload and case.hold_mean:
+                        turned = arguments.folder / (name + case.suffix)
+                        yield name + case.suffix + "-mean", scene, mean_held(changes, turned), turned / "stage-shear.h5"
 
 
 def main():
@@ -159,6 +182,7 @@ def main():
     parser.add_argument("--seeds", type=int, nargs="+", default=[1])
     parser.add_argument("--strain", type=float, default=0.8, help="shear strain of every stage (default: %(default)s)")
     parser.add_argument("--unload", type=float, nargs="*", default=[], help="also runs that turn round at these shear strains")
+    parser.add_argument("--hold-mean", action="store_true", help="the way back also with the mean pressure held that it begins at")
     parser.add_argument("--cycles", type=int, default=0, help="shear to and fro so often")
     parser.add_argument("--amplitude", type=float, default=0.05, help="shear strain of cycles (default: %(default)s)")
     parser.add_argument("--inertia", type=float, default=1e-3, help="inertial number, bpm and --moving (default: %(default)s)")

@@ -5,6 +5,7 @@
 #include <softgrain/parameters/parameter_file.h>
 #include <softgrain/parameters/parameter_home.h>
 #include <softgrain/parameters/parameter_tree.h>
+#include <softgrain/parameters/replaced_names.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
@@ -356,7 +357,7 @@ void ParameterFile::apply(dealii::ParameterHandler &prm,
   const ValueOfEntry value_of = [this](const std::vector<std::string> &sections, const ParameterEntry &entry)
   { return value(sections, entry.name, entry.default_value); };
   std::vector<std::string> unknown_sections;
-  for (const ParameterAssignment &assignment : assignments)
+  for (const ParameterAssignment &assignment : without_replaced_names(assignments, mistakes))
   {
     const bool of_section = assignment.key.empty();
     const std::string path = parameter_path(assignment.sections, assignment.key);

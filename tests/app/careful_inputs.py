@@ -123,6 +123,82 @@ class Includes(Cases):
         self.assertEqual(self.refused("here.prm"), ["there.prm:1: 'here.prm' includes itself"])
 
 
+STAGES = """subsection Walls
+  set Names = top
+  subsection top
+    set Point = 0, 2e-3
+  end
+end
+subsection Stages
+  set Names = gather, press, hold
+  subsection gather
+    subsection Stop
+      set End time = 1e-3
+    end
+  end
+  subsection press
+    subsection Stop
+      set End time = 2e-3
+    end
+  end
+  subsection hold
+    subsection Stop
+      set End time = 4e-3
+    end
+  end
+end
+"""
+
+
+def names(section, listed, more=""):
+    return f"subsection {section}\n  set Names = {listed}\n{more}end\n"
+
+
+class ReplacedNames(Cases):
+    def setUp(self):
+        write("staged.prm", DISK + STAGES)
+
+    def stages(self, *words):
+        """Names of the stages that are left, as `check` says them."""
+        status, printed, errors = softgrain("check", *words)
+        self.assertEqual((status, errors), (0, ""))
+        return [line.split()[1] for line in printed.splitlines() if line.strip().startswith("stage ")]
+
+    def test_dropped_stages(self):
+        self.assertEqual(self.stages("staged.prm"), ["gather", "press", "hold"])
+        for left in (["gather", "hold"], ["hold"], ["hold", "gather"]):
+            listed = ", ".join(left)
+            self.assertEqual(self.stages(write("fewer.prm", "include staged.prm\n" + names("Stages", listed))), left)
+            self.assertEqual(self.stages("staged.prm", "--set", f"Stages/Names={listed}"), left)
+        self.assertEqual(self.stages("fewer.prm", "--set", "Stages/Names=press"), ["press"])
+        self.assertEqual(self.ends(write("none.prm", "include staged.prm\n" + names("Stages", "") + end_at("9e-3"))), "0.009")
+
+    def test_another_stage(self):
+        soon = "  subsection soon\n    subsection Stop\n      set End time = 3e-3\n    end\n  end\n"
+        write("other.prm", "include staged.prm\n" + names("Stages", "gather, soon", soon))
+        self.assertEqual(self.stages("other.prm"), ["gather", "soon"])
+        self.assertEqual(self.stages("staged.prm", "--set", "Stages/Names=soon", "--set", "Stages/soon/Stop/End time=3e-3"), ["soon"])
+
+    def test_other_sections(self):
+        write("two.prm", DISK.replace("= disk\n", "= disk, far\n  subsection far\n    set Center = 9e-3, 0\n    set Radius = 1e-3\n"
+                                      "  end\n") + end_at("1e-3"))
+        write("one.prm", "include two.prm\n" + names("Bodies", "disk"))
+        self.assertEqual(self.ends("one.prm"), "0.001")
+
+    def test_refused(self):
+        where = "'Stages/Names' has 'pres', of which nothing is set (did you mean 'press'?); staged.prm:22 has 'gather, press, hold'"
+        self.assertEqual(self.refused(write("typo.prm", "include staged.prm\n" + names("Stages", "gather, pres"))),
+                         ["typo.prm:3: " + where])
+        self.assertEqual(self.refused("staged.prm", "--set", "Stages/Names=gather, pres"), ["--set: " + where])
+        write("fewer.prm", "include staged.prm\n" + names("Stages", "hold"))
+        # What one file says of a stage that it does not list, and what is said of it later, is a mistake.
+        here = "  subsection press\n    subsection Stop\n      set End time = 1e-3\n    end\n  end\n"
+        self.assertEqual(self.refused(write("here.prm", "include staged.prm\n" + names("Stages", "gather", here))),
+                         ["here.prm:4: unknown section 'Stages/press'; sections here: gather"])
+        self.assertEqual(self.refused("fewer.prm", "--set", "Stages/Names=hold", "--set", "Stages/press/Stop/End time=1"),
+                         ["--set: unknown section 'Stages/press'; sections here: hold"])
+
+
 class Mistakes(Cases):
     def test_seven_kinds(self):
         write("seven.prm", """set Model = mpm
