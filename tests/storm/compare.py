@@ -84,7 +84,7 @@ def force_that_counts(scene):
     What a run at rest takes for no force, 1e-6 of the softest body over a cell [N/m]: where there is nothing else, all forces are
     rounding.
     """
-    moduli = [float(text) for path, text in scene.values.items() if path.endswith("/Young's modulus")]
+    moduli = [float(text) for path, text in scene.values.items() if path.endswith(("/Young's modulus", "/Shear modulus"))]
     at_rest = scene.get("Time/Scheme") == "quasi_static"
     return 1e-6 * min(moduli) * spacing_of(scene) if at_rest and moduli else 0.0
 

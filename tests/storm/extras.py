@@ -19,7 +19,7 @@ NOT_TRIED = {
     "Primaries/Mean diameter": "as of packings", "Primaries/Standard deviation": "the same", "Primaries/Exponent": "the same",
     "Contact/Friction at walls": "every wall of a scene says its own", "Dimension": "scenes in space have tests of their own",
     "Packing/Method": "automatic is one of the others", "Packing/Periodic": "packings of cells have tests of their own",
-    "Loads/Drag/Rate": "loads that see the velocity have tests of their own", "Loads/Drag/Velocity": "the same",
+    "Obstacles/NAME/Drive": "others come from libraries", "Loads/Drag/Rate": "loads that see the velocity have tests of their own", "Loads/Drag/Velocity": "the same",
     "Loads/Rotating frame/Angular velocity": "the same", "Loads/Rotating frame/Center": "the same",
     "Stages/NAME/Stop/Equilibrium energy": "as Stop", "Stages/NAME/Stop/Steady window": "as Stop",
 }

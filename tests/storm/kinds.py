@@ -38,7 +38,7 @@ RULES = [
     ("Packing/Mean diameter", "numbers", "m"), ("Packing/Standard deviation", "numbers", "m"), ("Packing/Classes", "classes", "m"),
     ("Primaries/Mean diameter", "numbers", "m"), ("Primaries/Standard deviation", "numbers", "m"),
     ("Materials/*/Density", "numbers", "kg/m^3"), ("Materials/*/Growth/Rate", "formula", "1/s"),
-    ("Materials/*/Growth/Along", "line angle", ""),
+    ("Materials/*/Growth/Along", "line angle", ""), ("Materials/*/Flory-Rehner/Chemical potential", "formula", ""),
     ("Materials/*/Power law/Force at contact", "numbers", "N/m"),
     ("Materials/*/Power potential/Characteristic force", "numbers", "N/m"),
     ("Materials/*/Maxwell/Relaxation times", "numbers", "s"),
@@ -51,7 +51,7 @@ RULES = [
     ("Output/Snapshots every", "numbers", "s"),
 ]
 for key in ("Young's modulus", "Yield stress", "Hardening modulus", "Saturation stress", "Kinematic modulus", "Drag stress",
-            "Cohesion", "Cap start", "Cap pressure", "Cap hardening"):
+            "Cohesion", "Cap start", "Cap pressure", "Cap hardening", "Shear modulus", "Mixing pressure"):
     RULES.append((f"Materials/*/*/{key}", "numbers", "Pa"))
 for place in ("Walls/*", "Stages/*/*"):
     for key, kind, unit in (("Velocity", "formula", "m/s"), ("Position", "formula", "m"), ("Pressure", "formula", "Pa"),

@@ -32,9 +32,9 @@ def with_law(scene, material):
     """The scene with the plainest law for a material."""
     result, where = scene.copy(), f"Materials/{material}"
     stiffness = next(value for path, value in scene.values.items()
-                     if path.startswith(where) and path.endswith("Young's modulus"))
-    poisson = next(value for path, value in scene.values.items()
-                   if path.startswith(where) and path.endswith("Poisson's ratio"))
+                     if path.startswith(where) and path.endswith(("Young's modulus", "Shear modulus")))
+    poisson = next((value for path, value in scene.values.items()
+                    if path.startswith(where) and path.endswith("Poisson's ratio")), "0.3")
     density = scene.get(f"{where}/Density")
     result.remove_section(where)
     for key, value in (("Law", "neo_hookean"), ("Density", density), ("Neo-Hookean/Young's modulus", stiffness),

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Scenes of material points: laws, numerical parameters, and the lengths and times that fit them."""
 import math
+import random
 
 GRAIN = 2.0**-30  # places are multiples of this [m]
 
@@ -44,6 +45,20 @@ class Sizes:
         self.speed = self.way / self.time
 
 
+def add_gel(dice, scene, where, sizes):
+    """A gel that is about as stiff as the other bodies, in a solvent that stays or changes its volume by some per cent."""
+    nu = sizes.poisson
+    along = sizes.stiffness * (1 - nu) / (1 + nu) / (1 - 2 * nu)
+    mixing = 5 * along  # with this network a gel that swells freely has a modulus along of 0.18 to 0.24 of it
+    drift = f"-0.01*max(0, 1+{dice.uniform(-0.5, 1)!r}*(t*{1 / sizes.time!r}))"
+    scene.set(f"{where}/Shear modulus", 0.1 * mixing)
+    scene.set(f"{where}/Mixing pressure", mixing)
+    scene.set(f"{where}/Interaction", dice.choice([0.1, 0.4]))
+    scene.set(f"{where}/Chemical potential", dice.choice(["0.0", "-0.01", drift, drift]))
+    if dice.random() < 0.5:
+        scene.set(f"{where}/Largest swelling", dice.choice([0.0, 0.01]))
+
+
 def add_materials(dice, scene, sizes, scheme):
     names = ["gel", "stone"][:dice.choice([1, 1, 1, 2])]
     scene.set("Materials/Names", ", ".join(names))
@@ -51,9 +66,15 @@ def add_materials(dice, scene, sizes, scheme):
         law = dice.choice(["neo_hookean"] * 8 + list(LAWS))
         if law == "drucker_prager" and scheme != "explicit":
             law = "hencky"
+        # Gels came later: a dice of their own leaves all other scenes their seeds.
+        gels = random.Random(f"swells {name} {sizes.time!r}")
+        gel = gels.random() < 0.05
         title, choices = LAWS[law]
-        scene.set(f"Materials/{name}/Law", law)
+        scene.set(f"Materials/{name}/Law", "flory_rehner" if gel else law)
         scene.set(f"Materials/{name}/Density", sizes.density * dice.choice([1.0, 1.0, dice.uniform(0.5, 4)]))
+        if gel:
+            add_gel(gels, scene, f"Materials/{name}/Flory-Rehner", sizes)
+            continue
         where = f"Materials/{name}/{title}"
         stiffness = sizes.stiffness * dice.choice([1.0, 1.0, dice.uniform(0.3, 1)])
         scene.set(f"{where}/Young's modulus", stiffness)
