@@ -11,6 +11,7 @@ import re
 import statistics
 import sys
 
+import chapter_five_packings as packings
 import numpy as np
 from running import PYTHON, softgrain
 
@@ -314,8 +315,10 @@ def write_curve(path, folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("runs", type=pathlib.Path, nargs="+", help="output folders")
+    parser.add_argument("runs", type=pathlib.Path, nargs="*", help="output folders")
     parser.add_argument("--curves", type=pathlib.Path, help="folder for small files of their curves")
+    parser.add_argument("--packings", type=pathlib.Path, metavar="FILE",
+                        help="means over packings, of the small file that the runs are written to; without runs only of the file")
     arguments = parser.parse_args()
     simple = [run for run in arguments.runs if run.name.startswith("simple-")]
     paths = [path for path in (read_path(str(run)) for run in arguments.runs if run not in simple) if path.shear]
@@ -346,6 +349,10 @@ def main():
         print("\n".join(["", *cycle_table(path)]))
     if simple:
         print("\n".join(["", SIMPLE_HEAD, *map(simple_row, simple)]))
+    if arguments.packings:
+        if straight:
+            packings.write(straight, walls_of, arguments.packings)
+        print("\n".join(["", *packings.table(arguments.packings)]))
     if arguments.curves:
         for path in straight:
             write_curve(path, arguments.curves)

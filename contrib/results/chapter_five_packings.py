@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Means over packings of doc/results/thesis-5.md: what chapter_five_tables.py takes from runs that differ in their seed alone, a row for every
+run and part of its way; and the table of their means. A small file keeps the rows."""
+import csv
+import re
+import statistics
+
+import numpy as np
+from running import softgrain  # its folder has to be known before the package is imported
+from softgrain.contacts import NONE
+from softgrain.figures.paths import stages_of
+
+TOGETHER = 8  # states one after the other: contacts of bonded grains flicker, so one that bears a force in any of them counts
+PARTS = {"at rest": None, "to 0.1": (0., 0.1), "0.2 to 0.4": (0.2, 0.4), "0.56 to 0.8": (0.56, 0.8)}  # shear strain
+# Name in the file: (column of measures.csv, or None; how many digits).
+COLUMNS = {"q_over_p": (None, 3), "packing_fraction": ("packing_fraction", 3), "Z_of_states": ("coordination_of_bodies", 2), "Z_of_eight": (None, 2),
+           "a_c": ("contact_anisotropy", 2), "a_f": ("normal_force_anisotropy", 2), "half_sum": ("half_sum_of_anisotropies", 3), "half_sum_over_q_over_p": (None, 2),
+           "S": ("specific_contact_surface", 3), "eta": ("shape_strain", 3), "A_eta": ("shape_anisotropy", 3)}
+
+
+def contacts_of(snapshots, places):
+    """Contacts between grains in any of some states, two for each over the number of grains."""
+    found = set()
+    for place in places:
+        state = snapshots[int(place)]
+        pairs = state.pairs
+        kept = (pairs.wall == NONE) & (pairs.normal_force_N_per_m > 0)
+        found.update((min(a, b), max(a, b)) for a, b in zip(pairs.body_a[kept], pairs.body_b[kept]))
+    return 2 * len(found) / len(state.bodies.area_m2)
+
+
+def coordination(path, begin, end):
+    """Mean over groups of states between two times."""
+    snapshots = path.output.snapshots
+    places = np.flatnonzero((snapshots.times >= begin * (1 - 1e-9)) & (snapshots.times <= end * (1 + 1e-9)))
+    groups = [places[k:k + TOGETHER] for k in range(0, len(places) - TOGETHER + 1, TOGETHER)]
+    return np.mean([contacts_of(snapshots, group) for group in groups])
+
+
+def row_of(path, walls_of, part, between):
+    """Of the second half of the time at rest, or of a part of the shear. @walls_of: as that of chapter_five_tables.py"""
+    stages, measures = stages_of(path.output), path.output.measures_table
+    _, begin, end = next(stage for stage in stages if stage[0] == ("shear" if between else "compact"))
+    times, strain, stress = walls_of(path.output, begin, end)
+    if between:
+        kept = (strain >= between[0]) & (strain <= between[1])
+        begin, end = times[kept][0], times[kept][-1]
+    else:
+        begin = 0.5 * (begin + end)
+        kept = times >= begin
+    states = (measures["time_s"] >= begin * (1 - 1e-9)) & (measures["time_s"] <= end * (1 + 1e-9))
+    down, aside = ((0.5 * (stress[a] + stress[b]))[kept].mean() for a, b in (("top", "bottom"), ("left", "right")))
+    row = {name: float(np.nanmean(measures[column][states])) for name, (column, _) in COLUMNS.items() if column}
+    row.update(q_over_p=(down - aside) / (down + aside), Z_of_eight=coordination(path, begin, end))
+    row["half_sum_over_q_over_p"] = row["half_sum"] / row["q_over_p"]
+    seed = re.search(r"-seed(\d+)", str(path.output.directory))
+    return {"pressure_over_stiffness": path.kappa, "seed": int(seed[1]), "part": part, **{name: row[name] for name in COLUMNS}}
+
+
+def write(paths, walls_of, file_name):
+    """The rows of runs of bonded grains, as a small file."""
+    rows = [row_of(path, walls_of, part, between) for path in sorted(paths, key=lambda path: path.kappa) for part, between in PARTS.items()]
+    with open(file_name, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows({name: f"{value:.5g}" if isinstance(value, float) else value for name, value in row.items()} for row in rows)
+
+
+def table(file_name):
+    """Mean ± standard deviation over packings, of each quantity, part of the way and pressure."""
+    with open(file_name, newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    pressures = sorted({float(row["pressure_over_stiffness"]) for row in rows})
+    packings = {len({row["seed"] for row in rows if float(row["pressure_over_stiffness"]) == pressure}) for pressure in pressures}
+    yield f"{' or '.join(map(str, sorted(packings)))} packings, mean ± standard deviation; p_c/p_I:\n"
+    yield "| | " + " | ".join(f"{pressure:.2g}" for pressure in pressures) + " |\n|---" + "|---" * len(pressures) + "|"
+    for name, (_, digits) in COLUMNS.items():
+        for part in PARTS:
+            if part == "at rest" and "q_over_p" in name:
+                continue
+            cells = []
+            for pressure in pressures:
+                values = [float(row[name]) for row in rows if float(row["pressure_over_stiffness"]) == pressure and row["part"] == part]
+                scatter = f" ± {statistics.stdev(values):.{digits}f}" if len(values) > 1 else ""
+                cells.append(f"{statistics.mean(values):.{digits}f}{scatter}")
+            yield f"| {name}, {part} | " + " | ".join(cells) + " |"
