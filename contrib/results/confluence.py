@@ -22,6 +22,12 @@ def changes(seed, number, cell):
             "Walls/top/Point": f"0, {side:.6g}", "Walls/right/Point": f"{side:.6g}, 0", "Mesh/Cell size": cell}
 
 
+def pressed_to(highest):
+    """Pressure from a hundredth of Young's modulus on, by a factor that is the same in every step."""
+    pressure = f"{0.01 * YOUNG:g}*exp({math.log(highest / 0.01):.4g}*t)"
+    return {f"Stages/press/{wall}/Pressure": pressure for wall in ("top", "right")}
+
+
 class Tissue:
     """Sides, areas and perimeters of the grains of a state, and who touches whom."""
 
@@ -49,6 +55,13 @@ class Tissue:
         corners = len(self.first) / len(sides) - 1
         return (packing, self.pressure / YOUNG, self.fraction, len(self.first), sides.mean(), self.without_rattlers, sides.var(), shape.mean(), shape.std(),
                 1 / self.fraction - 1, corners / 2)
+
+
+def farthest(history):
+    """Pressure and packing fraction of the last step in balance; snapshots may end before."""
+    pressure = history["top_force_N_per_m"] / (history["right_position_m"] - history["left_position_m"]) / YOUNG
+    k = np.flatnonzero(pressure > 0)[-1]
+    return f"pressure {pressure[k]:.3f} E, packing fraction {history['packing_fraction'][k]:.4f}"
 
 
 def with_error(x, y):
@@ -111,23 +124,26 @@ def main():
     parser.add_argument("--seeds", type=int, nargs="+", default=(1, 2, 3))
     parser.add_argument("--number", type=int, default=NUMBER, help="grains (default: %(default)s)")
     parser.add_argument("--cell", type=float, default=2.4e-4, help="cells of the grid [m] (default: %(default)s)")
+    parser.add_argument("--highest", type=float, default=0.5, help="pressure at the end over Young's modulus (default: %(default)s)")
     parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="for all runs")
     parser.add_argument("--limit", type=float, default=3600, help="wall seconds of one run (default: %(default)s)")
     parser.add_argument("--picture", type=pathlib.Path, help="PNG file for the figure")
     parser.add_argument("--curves", type=pathlib.Path, help="all states are written there as a table")
     arguments = parser.parse_args()
+    further = {**pressed_to(arguments.highest), **dict(item.split("=", 1) for item in arguments.set)}
     rows, last = [], []
     for seed in arguments.seeds:
         folder = arguments.folder / f"{arguments.number}-cells-{arguments.cell:g}-seed-{seed}"
         try:
-            run(arguments.program, SCENE, folder, {**changes(seed, arguments.number, arguments.cell), **dict(item.split("=", 1) for item in arguments.set)},
-                threads=1, limit=arguments.limit, again=False)
+            run(arguments.program, SCENE, folder, {**changes(seed, arguments.number, arguments.cell), **further}, threads=1,
+                limit=arguments.limit, again=False)
         except softgrain.RunFailed as trouble:
             print(f"packing {seed}: {trouble}", flush=True)
-        tissues = [Tissue(state) for state in softgrain.open(folder).snapshots]
+        output = softgrain.open(folder)
+        tissues = [Tissue(state) for state in output.snapshots]
         rows += [t.row(seed) for t in tissues if len(t.first)]
-        last.append(tissues[-1])
-        print(f"packing {seed}: pressure {tissues[-1].pressure / YOUNG:.3f} E, packing fraction {tissues[-1].fraction:.4f}", flush=True)
+        last.append([t for t in tissues if len(t.first)][-1])  # the state in which a run fails has no contacts
+        print(f"packing {seed}: {farthest(output.history_table)}", flush=True)
     print("\n| packing | P/E | Φ | Z | without rattlers | variance of sides | perimeter over root of area ± deviation | pores over grains | (contacts - grains)/(2 grains) |\n"
           + "|---" * 9 + "|")
     for r in rows:

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
-Three shipped scenes keep what their first lines promise. A disk between four plates presses on them as it does with a grid seven times as
+Four shipped scenes keep what their first lines promise. A disk between four plates presses on them as it does with a grid seven times as
 fine (doc/results/quasi-static.md), on opposite ones alike. A punch feels the force on the bottom of its block, nothing aside, and its work is
-stored. Cells that grow press with 2.7 kPa at a packing fraction of 0.98, and what growth does is stored or dissipated.
+stored. Cells that grow press with 2.7 kPa at a packing fraction of 0.98, and what growth does is stored or dissipated. A packing that
+becomes a tissue has six contacts to a grain, Euler's number, with sixteen grains as with a hundred.
 """
 FOLDER = "../../../parameters/"
 FINE = {0.86: 0.0409, 0.90: 0.0865, 0.95: 0.1996}  # mean pressure on the plates over Young's modulus
 YOUNG, GROWN = 10e6, 2.7e3
+SIXTEEN = ("Packing/Number=16", "Packing/Upper=7.6e-3, 7.6e-3", "Walls/top/Point=0, 7.6e-3", "Walls/right/Point=7.6e-3, 0",
+           "Mesh/Upper=10.6e-3, 10.6e-3", "Output/Fields every=0", "Output/Snapshots every=1", "Stages/press/Stop/End time=0.88")
 
 
 def at(history, fraction, values):
@@ -34,6 +37,7 @@ def measure(start):
     plates = start(FOLDER + "verification/confined_disk.prm", codes=(0,)).history
     punch = start(FOLDER + "gallery/punch_mpm.prm", codes=(0,)).history
     cells = start(FOLDER + "gallery/growing_cells_mpm.prm", codes=(0,)).history
+    tissue = start(FOLDER + "packings/confluence.prm", *SIXTEEN, codes=(0,)).history
     pressed = pressures(plates)
     kept = sum(cells[f"{name}_energy_J_per_m"][-1] for name in ("elastic", "kinetic", "dissipated"))
     return {
@@ -45,10 +49,11 @@ def measure(start):
         "punched": punch["elastic_energy_J_per_m"][-1] / punch["punch_work_J_per_m"][-1] - 1,
         "cells": at(cells, 0.98, pressures(cells)) / GROWN - 1,
         "cells_opposite": max(apart(cells, "bottom", "top"), apart(cells, "left", "right")),
+        "six": tissue["coordination"][-1],
         "grown": kept / cells["growth_work_J_per_m"][-1] - 1}
 
 
 def is_right(found):
     return (max(map(abs, found["plates"].values())) < 0.02 and found["opposite"] < 1e-5 and abs(found["punch"]) < 1e-4
             and abs(found["aside"]) < 1e-6 and found["rises"] and abs(found["punched"]) < 2e-3 and abs(found["cells"]) < 0.05
-            and found["cells_opposite"] < 2e-3 and abs(found["grown"]) < 1e-3)
+            and found["cells_opposite"] < 2e-3 and found["six"] == 6 and abs(found["grown"]) < 1e-3)
