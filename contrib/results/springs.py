@@ -150,22 +150,45 @@ def leaving(fraction, stress, pressure):
     return places[within[-1] + 1] if len(within) and within[-1] + 1 < len(places) else (places[0] if not len(within) else math.nan)
 
 
+def draw(picture, parts):
+    """Pressures over the packing fraction, a panel for each kind of grains {name: what compare() found}."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as pyplot
+    figure, panels = pyplot.subplots(1, len(parts), figsize=(4.2 * len(parts), 3.4), squeeze=False)
+    for panel, (name, found) in zip(panels[0], parts.items()):
+        _, _, _, unit, value = GRAINS[name]
+        for k, (fraction, stress, pressures) in enumerate(found):
+            label = (lambda text, first=k == 0: text if first else None)
+            panel.plot(fraction, stress / value, "k-", lw=1.2, label=label("every grain deforms"))
+            panel.plot(fraction, pressures["one grain"] / value, "C0-", lw=0.9, label=label("springs: one grain"))
+            panel.plot(fraction, pressures["line"] / value, "C1--", lw=0.9, label=label("springs: line"))
+        panel.set(xlabel="packing fraction", ylabel=f"stress on the walls / {'$' + unit + '$'}", title=name, xlim=(0.78, None), ylim=(0, None))
+        panel.legend(frameon=False, fontsize=7)
+    figure.tight_layout()
+    figure.savefig(picture, dpi=110)
+
+
 def main():
     parser = parser_of(__doc__, "springs")
     parser.add_argument("--grains", nargs="+", choices=GRAINS, default=list(GRAINS))
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3])
     parser.add_argument("--table", type=pathlib.Path, help="all states are written there")
+    parser.add_argument("--picture", type=pathlib.Path, help="PNG file for the figure")
     arguments = parser.parse_args()
-    rows = []
+    rows, parts = [], {}
     for name in arguments.grains:
         _, _, plates, unit, value = GRAINS[name]
         run(arguments.program, PLATES, arguments.folder / f"plates-{name}", {**SQUEEZED, **plates}, threads=1, again=False)
         springs, line = springs_of(softgrain.open(arguments.folder / f"plates-{name}").history_table)
         print(f"{name}: line of {line / value:.3f} {unit}")
         found = [compare(name, seed, arguments, springs) for seed in arguments.seeds]
+        parts[name] = found
         report(name, found)
         rows += [f"{name},{seed},{f:.5g},{s / value:.5g}," + ",".join(f"{p[kind][k] / value:.5g}" for kind in springs)
                  for seed, (fractions, stress, p) in zip(arguments.seeds, found) for k, (f, s) in enumerate(zip(fractions, stress))]
+    if arguments.picture:
+        draw(arguments.picture, parts)
     if arguments.table:
         arguments.table.write_text("grains,packing,packing_fraction,material_points,spring_one_grain,spring_line\n" + "\n".join(rows) + "\n", encoding="utf-8")
 
