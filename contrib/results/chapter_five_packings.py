@@ -66,11 +66,45 @@ def write(paths, walls_of, file_name):
         writer.writerows({name: f"{value:.5g}" if isinstance(value, float) else value for name, value in row.items()} for row in rows)
 
 
-def table(file_name):
-    """Mean ± standard deviation over packings, of each quantity, part of the way and pressure."""
+def read(file_name):
+    """The rows of a small file, and their pressures."""
     with open(file_name, newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    pressures = sorted({float(row["pressure_over_stiffness"]) for row in rows})
+    return rows, sorted({float(row["pressure_over_stiffness"]) for row in rows})
+
+
+def values_of(rows, pressure, part, name):
+    return [float(row[name]) for row in rows if float(row["pressure_over_stiffness"]) == pressure and row["part"] == part]
+
+
+def draw(file_name, picture):
+    """q/p, contacts and anisotropies over the pressure: means of packings, with a point for each."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as pyplot
+    rows, pressures = read(file_name)
+    figure, axes = pyplot.subplots(1, 3, figsize=(10, 3.3))
+    panels = (("q/p", (("q_over_p", part) for part in list(PARTS)[1:])), ("contacts of a grain", (("Z_of_eight", part) for part in PARTS)),
+              ("last part of the shear", ((name, "0.56 to 0.8") for name in ("a_c", "a_f", "half_sum", "q_over_p"))))
+    for panel, (title, lines) in zip(axes, panels):
+        for k, (name, part) in enumerate(lines):
+            mean = [statistics.mean(values_of(rows, pressure, part, name)) for pressure in pressures]
+            panel.semilogx(pressures, mean, f"C{k}-", lw=1, label=name if title.startswith("last") else part)
+            for pressure in pressures:
+                values = values_of(rows, pressure, part, name)
+                panel.plot([pressure] * len(values), values, f"C{k}o", ms=3)
+        panel.set(xlabel="$p_c/p_I$", ylabel=title)
+        panel.set_ylim(top=panel.get_ylim()[1] * (1.25 if title.startswith("last") else 1))
+        panel.minorticks_off()
+        panel.set_xticks(pressures, [f"{pressure:.2g}" for pressure in pressures])
+        panel.legend(frameon=False, fontsize=7)
+    figure.tight_layout()
+    figure.savefig(picture, dpi=110)
+
+
+def table(file_name):
+    """Mean ± standard deviation over packings, of each quantity, part of the way and pressure."""
+    rows, pressures = read(file_name)
     packings = {len({row["seed"] for row in rows if float(row["pressure_over_stiffness"]) == pressure}) for pressure in pressures}
     yield f"{' or '.join(map(str, sorted(packings)))} packings, mean ± standard deviation; p_c/p_I:\n"
     yield "| | " + " | ".join(f"{pressure:.2g}" for pressure in pressures) + " |\n|---" + "|---" * len(pressures) + "|"
@@ -80,7 +114,7 @@ def table(file_name):
                 continue
             cells = []
             for pressure in pressures:
-                values = [float(row[name]) for row in rows if float(row["pressure_over_stiffness"]) == pressure and row["part"] == part]
+                values = values_of(rows, pressure, part, name)
                 scatter = f" ± {statistics.stdev(values):.{digits}f}" if len(values) > 1 else ""
                 cells.append(f"{statistics.mean(values):.{digits}f}{scatter}")
             yield f"| {name}, {part} | " + " | ".join(cells) + " |"

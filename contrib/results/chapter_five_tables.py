@@ -319,6 +319,7 @@ def main():
     parser.add_argument("--curves", type=pathlib.Path, help="folder for small files of their curves")
     parser.add_argument("--packings", type=pathlib.Path, metavar="FILE",
                         help="means over packings, of the small file that the runs are written to; without runs only of the file")
+    parser.add_argument("--picture", type=pathlib.Path, help="PNG file for what --packings has")
     arguments = parser.parse_args()
     simple = [run for run in arguments.runs if run.name.startswith("simple-")]
     paths = [path for path in (read_path(str(run)) for run in arguments.runs if run not in simple) if path.shear]
@@ -353,6 +354,8 @@ def main():
         if straight:
             packings.write(straight, walls_of, arguments.packings)
         print("\n".join(["", *packings.table(arguments.packings)]))
+        if arguments.picture:
+            packings.draw(arguments.packings, arguments.picture)
     if arguments.curves:
         for path in straight:
             write_curve(path, arguments.curves)
