@@ -194,6 +194,24 @@ UNLOADING_HEAD = head("run", "q/p where it turns", "least q/p, shear strain afte
                       "least Φ", "Φ at the end")
 
 
+HELD_HEAD = head("way back", "p at its start, at its end [MPa]", "least q/p, shear strain after the turn", "q/p at the end", "least over end",
+                 "Φ at its start, least, at its end")
+
+
+def held_row(folder):
+    """The stage "unload" of a run that may have begun there, as with --hold-mean."""
+    output = softgrain.open(folder)
+    _, begin, end = next(stage for stage in stages_of(output) if stage[0] == "unload")
+    _, strain, stress = walls_of(output, begin, end)
+    strain, down = curve(argparse.Namespace(output=output, model=output.model), begin, end)
+    late, lowest = np.abs(strain) >= (1 - STEADY[0]) * abs(strain[-1]), np.argmin(down)
+    pressure = 0.25e-6 * sum(stress.values())
+    part, history = max(1, len(pressure) // 20), output.history_table
+    fraction = history["packing_fraction"][(history["time_s"] >= begin) & (history["time_s"] <= end * (1 + 1e-9))]
+    return row(pathlib.Path(folder).name, f"{pressure[:part].mean():.3f}, {pressure[-part:].mean():.3f}", f"{down[lowest]:.3f} at {abs(strain[lowest]):.2f}",
+               pm(down[late]), f"{down[lowest] / down[late].mean():.2f}", f"{fraction[0]:.3f}, {fraction.min():.3f}, {fraction[-1]:.3f}")
+
+
 def work_of_walls(history, rows):
     """By trapezoids, over the steps between two rows of the history [J/m]."""
     part = {name: values[rows[0]:rows[1] + 1] for name, values in history.items()}
@@ -322,7 +340,8 @@ def main():
     parser.add_argument("--picture", type=pathlib.Path, help="PNG file for what --packings has")
     arguments = parser.parse_args()
     simple = [run for run in arguments.runs if run.name.startswith("simple-")]
-    paths = [path for path in (read_path(str(run)) for run in arguments.runs if run not in simple) if path.shear]
+    held = [run for run in arguments.runs if run.name.endswith("-mean")]
+    paths = [path for path in (read_path(str(run)) for run in arguments.runs if run not in simple + held) if path.shear]
     cycled = [path for path in paths if re.search("-cycles", path.output.directory)]
     turned = [path for path in paths if path.unloading and path not in cycled]
     ramps = [path for path in paths if name_of(path).endswith("-ramp")]
@@ -344,6 +363,9 @@ def main():
             print(f"{group[0].group}: {numbers}")
     if turned:
         print("\n".join(["", UNLOADING_HEAD, *map(unloading_row, turned)]))
+    if held:
+        beside = [run.with_name(run.name[:-len("-mean")]) for run in held]
+        print("\n".join(["", HELD_HEAD, *(held_row(run) for pair in zip(beside, held) for run in pair)]))
     if ramps:
         print("\n".join(["", RAMP_HEAD, *(text for path in ramps for text in ramp_rows(path))]))
     for path in cycled:
