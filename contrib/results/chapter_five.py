@@ -207,7 +207,7 @@ def main():
         sheared = changes["Stages/Names"].split(", ").index("shear") + 1
         strain = [math.log(1 / (row["top_position_m"] - row["bottom_position_m"])) -
                   math.log(1 / (row["right_position_m"] - row["left_position_m"])) for row in rows]
-        first = max(i for i, row in enumerate(rows) if row["stage"] < sheared)
+        first = max((i for i, row in enumerate(rows) if row["stage"] < sheared), default=0)  # a way back alone begins with its first row
         print(f"| {name} | {summary['steps']} | {strain[-1] - strain[first]:.2f} | {summary['wall_seconds']:.0f} |", flush=True)
 
 
