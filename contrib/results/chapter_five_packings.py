@@ -13,7 +13,7 @@ from softgrain.figures.paths import stages_of
 TOGETHER = 8  # states one after the other: contacts of bonded grains flicker, so one that bears a force in any of them counts
 PARTS = {"at rest": None, "to 0.1": (0., 0.1), "0.2 to 0.4": (0.2, 0.4), "0.56 to 0.8": (0.56, 0.8)}  # shear strain
 # Name in the file: (column of measures.csv, or None; how many digits).
-COLUMNS = {"q_over_p": (None, 3), "packing_fraction": ("packing_fraction", 3), "Z_of_states": ("coordination_of_bodies", 2), "Z_of_eight": (None, 2),
+COLUMNS = {"q_over_p": (None, 3), "packing_fraction": ("packing_fraction", 3), "Z_of_states": ("coordination_of_bodies", 2), "Z_of_eight": (None, 2), "Z_of_all": (None, 2),
            "a_c": ("contact_anisotropy", 2), "a_f": ("normal_force_anisotropy", 2), "half_sum": ("half_sum_of_anisotropies", 3), "half_sum_over_q_over_p": (None, 2),
            "S": ("specific_contact_surface", 3), "eta": ("shape_strain", 3), "A_eta": ("shape_anisotropy", 3)}
 
@@ -30,11 +30,11 @@ def contacts_of(snapshots, places):
 
 
 def coordination(path, begin, end):
-    """Mean over groups of states between two times."""
+    """Mean over groups of states between two times, and that of all of them together."""
     snapshots = path.output.snapshots
     places = np.flatnonzero((snapshots.times >= begin * (1 - 1e-9)) & (snapshots.times <= end * (1 + 1e-9)))
     groups = [places[k:k + TOGETHER] for k in range(0, len(places) - TOGETHER + 1, TOGETHER)]
-    return np.mean([contacts_of(snapshots, group) for group in groups])
+    return np.mean([contacts_of(snapshots, group) for group in groups]), contacts_of(snapshots, places)
 
 
 def row_of(path, walls_of, part, between):
@@ -51,7 +51,8 @@ def row_of(path, walls_of, part, between):
     states = (measures["time_s"] >= begin * (1 - 1e-9)) & (measures["time_s"] <= end * (1 + 1e-9))
     down, aside = ((0.5 * (stress[a] + stress[b]))[kept].mean() for a, b in (("top", "bottom"), ("left", "right")))
     row = {name: float(np.nanmean(measures[column][states])) for name, (column, _) in COLUMNS.items() if column}
-    row.update(q_over_p=(down - aside) / (down + aside), Z_of_eight=coordination(path, begin, end))
+    row["q_over_p"] = (down - aside) / (down + aside)
+    row["Z_of_eight"], row["Z_of_all"] = coordination(path, begin, end)
     row["half_sum_over_q_over_p"] = row["half_sum"] / row["q_over_p"]
     seed = re.search(r"-seed(\d+)", str(path.output.directory))
     return {"pressure_over_stiffness": path.kappa, "seed": int(seed[1]), "part": part, **{name: row[name] for name in COLUMNS}}
@@ -110,7 +111,7 @@ def table(file_name):
     yield "| | " + " | ".join(f"{pressure:.2g}" for pressure in pressures) + " |\n|---" + "|---" * len(pressures) + "|"
     for name, (_, digits) in COLUMNS.items():
         for part in PARTS:
-            if part == "at rest" and "q_over_p" in name:
+            if part == "at rest" and "q_over_p" in name or part != "at rest" and name == "Z_of_all":
                 continue
             cells = []
             for pressure in pressures:
@@ -118,3 +119,15 @@ def table(file_name):
                 scatter = f" ± {statistics.stdev(values):.{digits}f}" if len(values) > 1 else ""
                 cells.append(f"{statistics.mean(values):.{digits}f}{scatter}")
             yield f"| {name}, {part} | " + " | ".join(cells) + " |"
+    yield from lines(rows, pressures)
+
+
+def lines(rows, pressures):
+    """(5.2) to (5.5) through the means of packings."""
+    def means(name, part="at rest"):
+        return np.array([statistics.mean(values_of(rows, pressure, part, name)) for pressure in pressures])
+    log, void, steady = np.log10(pressures), 1 / means("packing_fraction") - 1, 1 / means("packing_fraction", "0.56 to 0.8") - 1
+    for text, x, y, of in (("Φ (5.2)", log, means("packing_fraction"), "log"), ("e (5.3)", log, void, "log"), ("Z_of_all (5.4)", log, means("Z_of_all"), "log"),
+                           ("Z_of_all (5.5)", void, means("Z_of_all"), "e"), ("e, 0.56 to 0.8", log, steady, "log")):
+        slope, start = np.polyfit(x, y, 1)
+        yield f"{text} = {start:.3f} {slope:+.3f} {of}"
