@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Rays get denser where outlines lie in each other between them: their places and forces stay, the spacing is
-// halved twice at most, and no other frame changes.
+// halved twice at most, and no other frame changes. Where a frame begins along its rays does not matter.
 #include <softgrain/mpm/contact/denser_rays.h>
 
 #include <cmath>
@@ -38,7 +38,7 @@ Frame frame_between(const unsigned int body, const unsigned int partner, const u
 mpm::Verdict overlap(const Meeting &meeting, const double cells, const double beside)
 {
   mpm::Verdict verdict;
-  verdict.take(Intrusion{cells * cell, dealii::Point<2>(beside * cell, 0.1 * cell)}, meeting);
+  verdict.take(Intrusion{cells * cell, dealii::Point<2>(beside * cell, 9. * cell)}, meeting);
   return verdict;
 }
 

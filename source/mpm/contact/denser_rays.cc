@@ -27,13 +27,12 @@ bool is_of(const ContactFrame<2> &frame, const Meeting &meeting, const unsigned 
   }
 }
 
-/// Whether the place lies under the rays of a frame, or just beside them.
+/// Whether the place lies under the rays of a frame, or just beside them. Where the origin lies along the
+/// rays says nothing: it stays there while the contact moves.
 bool is_under(const dealii::Point<2> &place, const ContactFrame<2> &frame, const double cell_size)
 {
-  const double offset = (place - frame.origin) * frame.across[0],
-               height = (place - frame.origin) * frame.direction;
-  return std::abs(height) < 4. * cell_size &&
-         offset > frame.offset(frame.rays.front().index)[0] - beside * cell_size &&
+  const double offset = (place - frame.origin) * frame.across[0];
+  return offset > frame.offset(frame.rays.front().index)[0] - beside * cell_size &&
          offset < frame.offset(frame.rays.back().index)[0] + beside * cell_size;
 }
 } // namespace
