@@ -168,24 +168,25 @@ void BandedSolver::analyze(const Sparse &matrix)
     size += static_cast<std::size_t>(panel.height()) * block;
   }
   values.assign(size, 0.);
-  target.resize(matrix.nonZeros());
-  std::size_t k = 0;
-  for (int j = 0; j < matrix.outerSize(); ++j)
-    for (Sparse::InnerIterator entry(matrix, j); entry; ++entry, ++k)
-    {
-      const int row = std::max(order[entry.row()], order[j]), column = std::min(order[entry.row()], order[j]);
-      const Panel &panel = panels[column / block];
-      target[k] = panel.start + (column - panel.first) * panel.height() + (row - panel.first);
-    }
+  column_start.resize(n_panels * block);
+  for (int i = 0; i < n_panels * block; ++i)
+  {
+    const Panel &panel = panels[i / block];
+    column_start[i] = static_cast<std::ptrdiff_t>(panel.start) +
+                      static_cast<std::ptrdiff_t>(i - panel.first) * panel.height() - panel.first;
+  }
 }
 
 void BandedSolver::fill(const Sparse &matrix)
 {
   std::fill(values.begin(), values.end(), 0.);
-  const double *of_matrix = matrix.valuePtr();
-  factor = target.empty() ? 1. : for_even_exponent(of_matrix[0]);
-  for (std::size_t k = 0; k < target.size(); ++k)
-    values[target[k]] += factor * of_matrix[k];
+  factor = matrix.nonZeros() == 0 ? 1. : for_even_exponent(matrix.valuePtr()[0]);
+  for (int j = 0; j < matrix.outerSize(); ++j)
+    for (Sparse::InnerIterator entry(matrix, j); entry; ++entry)
+    {
+      const int a = order[entry.row()], b = order[j];
+      values[column_start[std::min(a, b)] + std::max(a, b)] += factor * entry.value();
+    }
   // The last panel may reach beyond the matrix: ones on the diagonal leave the rest alone.
   for (int i = matrix.rows(); i < n_panels * block; ++i)
     *of_panel(n_panels - 1).at(i - panels.back().first, i - panels.back().first) = 1.;

@@ -4,6 +4,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -42,24 +43,37 @@ void SystemMatrix::reinit(const unsigned int dim,
           matrix.insert(dim * i + e, dim * j + d) = 0.;
   matrix.makeCompressed();
 
-  places.assign(nodes_of_cell.size(), {});
-  for (unsigned int c = 0; c < nodes_of_cell.size(); ++c)
-  {
-    const std::vector<unsigned int> &nodes = nodes_of_cell[c];
-    places[c].n_nodes = nodes.size();
-    AssertThrow(std::is_sorted(nodes.begin(), nodes.end()), dealii::ExcInternalError());
-    for (unsigned int b = 0; b < nodes.size(); ++b)
-      for (unsigned int a = b; a < nodes.size(); ++a)
-      {
-        const std::vector<unsigned int> &column = rows[nodes[b]];
-        const int place = std::lower_bound(column.begin(), column.end(), nodes[a]) - column.begin();
-        // In the column of direction d the diagonal block holds dim - d entries, every other block dim.
-        for (unsigned int d = 0; d < dim; ++d)
-          places[c].start.push_back(matrix.outerIndexPtr()[dim * nodes[b] + d] +
-                                    (place == 0 ? 0 : place * dim - static_cast<int>(d)));
-      }
-  }
+  find_places(nodes_of_cell, rows);
   new_pattern = true;
+}
+
+void SystemMatrix::find_places(const std::vector<std::vector<unsigned int>> &nodes_of_cell,
+                               const std::vector<std::vector<unsigned int>> &rows)
+{
+  first_node.assign(1, 0);
+  first_pair.assign(1, 0);
+  for (const std::vector<unsigned int> &nodes : nodes_of_cell)
+  {
+    first_node.push_back(first_node.back() + nodes.size());
+    first_pair.push_back(first_pair.back() + nodes.size() * (nodes.size() + 1) / 2);
+  }
+  node_of_cell.clear();
+  node_of_cell.reserve(first_node.back());
+  row_of_pair.clear();
+  row_of_pair.reserve(first_pair.back());
+  for (const std::vector<unsigned int> &nodes : nodes_of_cell)
+  {
+    AssertThrow(std::is_sorted(nodes.begin(), nodes.end()), dealii::ExcInternalError());
+    node_of_cell.insert(node_of_cell.end(), nodes.begin(), nodes.end());
+    for (unsigned int b = 0; b < nodes.size(); ++b)
+    {
+      const std::vector<unsigned int> &column = rows[nodes[b]];
+      if (column.size() > std::numeric_limits<std::uint16_t>::max())
+        throw std::length_error(std::to_string(column.size()) + " nodes meet one in the matrix of a body");
+      for (unsigned int a = b; a < nodes.size(); ++a)
+        row_of_pair.push_back(std::lower_bound(column.begin(), column.end(), nodes[a]) - column.begin());
+    }
+  }
 }
 
 void SystemMatrix::refuse(const unsigned int cell)
@@ -103,24 +117,24 @@ void SystemMatrix::add_plane_cell(const unsigned int cell,
 {
   // Both directions of a node follow each other in a column.
   using Pair [[gnu::vector_size(16), gnu::aligned(8), gnu::may_alias]] = double;
-  const unsigned int n = places[cell].n_nodes;
-  if (n == 0)
-    refuse(cell);
-  const int *start = places[cell].start.data();
-  double *const values = matrix.valuePtr();
+  const Places here = places_of(cell);
+  const unsigned int n = here.n_nodes;
+  const std::uint16_t *row = here.row;
   const double *const xx = blocks, *const xy = blocks + n * stride, *const yy = blocks + 2 * n * stride;
   for (unsigned int b = 0; b < n; ++b)
   {
     const double *const xx_b = xx + b * stride, *const xy_b = xy + b * stride, *const yy_b = yy + b * stride,
                         *const yx_b = xy + b;
-    values[start[0]] += xx_b[b];
-    values[start[0] + 1] += xy_b[b];
-    values[start[1]] += yy_b[b];
-    start += 2;
-    for (unsigned int a = b + 1; a < n; ++a, start += 2)
+    const int *const column = matrix.outerIndexPtr() + 2 * here.node[b];
+    double *const along_x = matrix.valuePtr() + column[0], *const along_y = matrix.valuePtr() + column[1];
+    along_x[0] += xx_b[b];
+    along_x[1] += xy_b[b];
+    along_y[0] += yy_b[b];
+    ++row;
+    for (unsigned int a = b + 1; a < n; ++a, ++row)
     {
-      *reinterpret_cast<Pair *>(values + start[0]) += Pair{xx_b[a], yx_b[a * stride]};
-      *reinterpret_cast<Pair *>(values + start[1]) += Pair{xy_b[a], yy_b[a]};
+      *reinterpret_cast<Pair *>(along_x + 2 * *row) += Pair{xx_b[a], yx_b[a * stride]};
+      *reinterpret_cast<Pair *>(along_y + 2 * *row - 1) += Pair{xy_b[a], yy_b[a]};
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <softgrain/linear/dense_kernels.h>
 #include <softgrain/linear/linear_solver.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace softgrain
@@ -51,12 +52,12 @@ private:
 
   int block = 0; ///< columns of a panel
   int n_panels = 0;
-  std::vector<int> negative;       ///< unknowns, in their new order, whose pivot is negative
-  std::vector<int> order;          ///< new place of every unknown
-  std::vector<std::size_t> target; ///< place in values of every entry of the matrix
+  std::vector<int> negative; ///< unknowns, in their new order, whose pivot is negative
+  std::vector<int> order;    ///< new place of every unknown
   std::vector<Panel> panels;
-  std::vector<double> values; ///< of the panels, each by columns
-  double factor = 1.;         ///< of the matrix that is factorised, see for_even_exponent()
+  std::vector<std::ptrdiff_t> column_start; ///< place in values at which row 0 of a column would be
+  std::vector<double> values;               ///< of the panels, each by columns
+  double factor = 1.;                       ///< of the matrix that is factorised, see for_even_exponent()
 };
 } // namespace softgrain
 

@@ -8,6 +8,7 @@
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,7 @@ public:
    * @param dim unknowns per node
    * @param n_nodes number of nodes
    * @param nodes_of_cell sorted nodes of every cell; none where nothing is added
+   * @throw std::length_error when more than 65535 nodes meet one in cells
    */
   void
   reinit(unsigned int dim, unsigned int n_nodes, const std::vector<std::vector<unsigned int>> &nodes_of_cell);
@@ -49,16 +51,21 @@ public:
   template <int dim, class Value>
   void add_cell(const unsigned int cell, const Value &value, const double factor)
   {
-    const unsigned int n = places[cell].n_nodes;
-    if (n == 0)
-      refuse(cell);
-    const int *start = places[cell].start.data();
+    const Places here = places_of(cell);
+    const std::uint16_t *row = here.row;
     double *values = matrix.valuePtr();
-    for (unsigned int b = 0; b < n; ++b)
-      for (unsigned int a = b; a < n; ++a)
-        for (unsigned int d = 0; d < dim; ++d, ++start)
+    for (unsigned int b = 0; b < here.n_nodes; ++b)
+    {
+      const int *const column = matrix.outerIndexPtr() + dim * here.node[b];
+      for (unsigned int a = b; a < here.n_nodes; ++a, ++row)
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          // In the column of direction d the diagonal block has dim - d entries, every other block dim.
+          double *const of_block = values + column[d] + (a == b ? 0 : *row * dim - d);
           for (unsigned int e = (a == b ? d : 0), k = 0; e < dim; ++e, ++k)
-            values[*start + k] += factor * value(a, e, b, d);
+            of_block[k] += factor * value(a, e, b, d);
+        }
+    }
   }
 
   /// Adds a cell in the plane from a matrix in blocks, of directions x x, x y and y y side by side: rows for
@@ -88,19 +95,34 @@ public:
   void clear_pattern_flag() { new_pattern = false; }
 
 private:
-  /// Where the values of a cell go.
+  /// Where the values of a cell go: its nodes, and for every pair of these, column by column from the
+  /// diagonal down, the number of their block among those of its column.
   struct Places
   {
-    unsigned int n_nodes = 0;
-    std::vector<int> start; ///< of its blocks from the diagonal down, column by column, one per direction
+    unsigned int n_nodes;
+    const unsigned int *node;
+    const std::uint16_t *row;
   };
+  Places places_of(const unsigned int cell) const
+  {
+    const unsigned int first = first_node[cell], n = first_node[cell + 1] - first;
+    if (n == 0)
+      refuse(cell);
+    return {n, &node_of_cell[first], &row_of_pair[first_pair[cell]]};
+  }
 
   [[noreturn]] static void refuse(unsigned int cell);
+  /// @param rows of the lower blocks of each block column
+  void find_places(const std::vector<std::vector<unsigned int>> &nodes_of_cell,
+                   const std::vector<std::vector<unsigned int>> &rows);
 
   Sparse matrix;
   unsigned int n_components = 0;   ///< unknowns per node
   std::vector<double> node_places; ///< none, or n_components per node
-  std::vector<Places> places;      ///< by cell
+  // Of all cells, one after the other: a number for each pair of nodes, not a place for each of its entries.
+  std::vector<unsigned int> first_node, node_of_cell;
+  std::vector<std::size_t> first_pair;
+  std::vector<std::uint16_t> row_of_pair;
   bool new_pattern = true;
 };
 } // namespace softgrain

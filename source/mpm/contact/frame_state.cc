@@ -47,6 +47,7 @@ FrameState<dim>::FrameState(const ContactFrame<dim> &layout, const FrameScene<di
   {
     opens = share_that_opens(scene);
     softness *= opens; // in short steps masses yield much less than matter
+    beside.resize(2 * (dim - 1));
   }
   weigh_rays(scene);
   find_mean(scene);

@@ -99,7 +99,6 @@ void BodyField<dim>::build(const Lattice<dim> &the_lattice,
   evaluate_points(places);
   build_extension(places.volumes, fill_limit);
   build_cell_dependence();
-  transpose_cells();
   color_cells();
   marker_rows.clear();
   for (const dealii::Point<dim> &marker : places.markers)

@@ -152,7 +152,8 @@ template <int dim>
 void BodyField<dim>::build_cell_dependence()
 {
   own_cells.dependence.assign(own_cells.n(), {});
-  own_cells.matrix.assign(own_cells.n(), {});
+  own_cells.is_extended.assign(own_cells.n(), 0);
+  own_cells.matrix.assign(dim == 2 ? own_cells.n() : 0, {});
   for (unsigned int c = 0; c < own_cells.n(); ++c)
   {
     const unsigned int *nodes = &own_cells.node[c * own_cells.per_cell];
@@ -167,29 +168,51 @@ void BodyField<dim>::build_cell_dependence()
     {
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
-      own_cells.matrix[c].setZero(own_cells.per_cell, list.size());
-      for (unsigned int k = 0; k < own_cells.per_cell; ++k)
-        spreading.for_entries(nodes[k],
-                              [&](const unsigned int j, const double weight) {
-                                own_cells.matrix[c](k, std::lower_bound(list.begin(), list.end(), j) -
-                                                           list.begin()) = weight;
-                              });
     }
+    own_cells.is_extended[c] = !direct;
     own_cells.dependence[c] = std::move(list);
+    own_cells.dependence[c].shrink_to_fit();
+    if (dim == 2 && !direct)
+    {
+      Eigen::MatrixXd &matrix = own_cells.matrix[c];
+      matrix.setZero(DenseKernels::filled(own_cells.dependence[c].size()), own_cells.per_cell);
+      fill_spread(c, {matrix.data(), matrix.outerStride()});
+    }
   }
 }
 
-/// What assembly multiplies by.
 template <int dim>
-void BodyField<dim>::transpose_cells()
+const std::vector<unsigned int> &BodyField<dim>::places_in_cell(const unsigned int cell) const
 {
-  own_cells.transpose.assign(own_cells.n(), {});
-  for (unsigned int c = 0; c < own_cells.n(); ++c)
-    if (const Eigen::MatrixXd &matrix = own_cells.matrix[c]; matrix.size() > 0)
-    {
-      own_cells.transpose[c].setZero(DenseKernels::filled(matrix.cols()), own_cells.per_cell);
-      own_cells.transpose[c].topRows(matrix.cols()) = matrix.transpose();
-    }
+  // A buffer alone: nothing is read that has not been written for this cell.
+  static thread_local std::vector<unsigned int> place;
+  if (place.size() < n_independent())
+    place.resize(n_independent());
+  const std::vector<unsigned int> &list = own_cells.dependence[cell];
+  for (unsigned int at = 0; at < list.size(); ++at)
+    place[list[at]] = at;
+  return place;
+}
+
+template <int dim>
+void BodyField<dim>::fill_spread(const unsigned int cell, const DenseKernels::Out &matrix) const
+{
+  const unsigned int *nodes = own_cells.nodes(cell);
+  const std::vector<unsigned int> &place = places_in_cell(cell);
+  for (unsigned int k = 0; k < own_cells.per_cell; ++k)
+    spreading.for_entries(nodes[k], [&](const unsigned int j, const double weight)
+                          { *matrix.at(place[j], k) = weight; });
+}
+
+template <int dim>
+DenseKernels::In BodyField<dim>::spread(const unsigned int cell, std::vector<double> &room) const
+{
+  if constexpr (dim == 2)
+    return {own_cells.matrix[cell].data(), own_cells.matrix[cell].outerStride()};
+  const int n_rows = DenseKernels::filled(own_cells.dependence[cell].size());
+  room.assign(static_cast<std::size_t>(n_rows) * own_cells.per_cell, 0.);
+  fill_spread(cell, {room.data(), n_rows});
+  return {room.data(), n_rows};
 }
 
 template <int dim>
@@ -219,10 +242,12 @@ void BodyField<dim>::color_cells()
 
 template void BodyField<2>::build_extension(const std::vector<double> &, double);
 template void BodyField<2>::build_cell_dependence();
-template void BodyField<2>::transpose_cells();
+template const std::vector<unsigned int> &BodyField<2>::places_in_cell(unsigned int) const;
+template DenseKernels::In BodyField<2>::spread(unsigned int, std::vector<double> &) const;
 template void BodyField<2>::color_cells();
 template void BodyField<3>::build_extension(const std::vector<double> &, double);
 template void BodyField<3>::build_cell_dependence();
-template void BodyField<3>::transpose_cells();
+template const std::vector<unsigned int> &BodyField<3>::places_in_cell(unsigned int) const;
+template DenseKernels::In BodyField<3>::spread(unsigned int, std::vector<double> &) const;
 template void BodyField<3>::color_cells();
 } // namespace softgrain::mpm

@@ -51,7 +51,8 @@ PlaceFunctions<dim> BodyField<dim>::functions_at(const dealii::Point<dim> &x) co
   result.node.assign(independent.begin(), independent.end());
   result.value.assign(result.node.size(), 0.);
   result.slope.assign(result.node.size(), dealii::Tensor<1, dim>());
-  const Eigen::MatrixXd &spread = own_cells.matrix[cell]; // from independent nodes to those of the cell
+  const bool extended = own_cells.extended(cell);
+  const std::vector<unsigned int> *const place = extended ? &places_in_cell(cell) : nullptr;
   for (unsigned int k = 0; k < own_cells.per_cell; ++k)
   {
     const auto &offset = functions->offset(k);
@@ -64,17 +65,18 @@ PlaceFunctions<dim> BodyField<dim>::functions_at(const dealii::Point<dim> &x) co
       for (unsigned int e = 0; e < dim; ++e)
         slope[d] *= factors[e][d == e ? 1 : 0][offset[e]];
     }
-    if (spread.size() == 0)
+    if (!extended)
     {
       result.value[k] = value;
       result.slope[k] = slope;
       continue;
     }
-    for (unsigned int at = 0; at < result.node.size(); ++at)
-    {
-      result.value[at] += spread(k, at) * value;
-      result.slope[at] += spread(k, at) * slope;
-    }
+    spreading.for_entries(own_cells.nodes(cell)[k],
+                          [&](const unsigned int j, const double weight)
+                          {
+                            result.value[(*place)[j]] += weight * value;
+                            result.slope[(*place)[j]] += weight * slope;
+                          });
   }
   return result;
 }
@@ -91,14 +93,17 @@ bool FieldNear<dim>::look_at(const dealii::Point<dim> &x)
   {
     cell = there;
     const std::vector<unsigned int> &independent = field.own_cells.independent(cell);
-    const Eigen::MatrixXd &spread = field.own_cells.extension(cell);
+    // A buffer alone: nothing is read that has not been written for this cell.
+    static thread_local std::vector<double> room;
+    const bool extended = field.own_cells.extended(cell);
+    const DenseKernels::In spread = extended ? field.spread(cell, room) : DenseKernels::In();
     node.assign(field.own_cells.nodes_per_cell(), Vector());
     for (unsigned int k = 0; k < node.size(); ++k)
-      if (spread.size() == 0)
+      if (!extended)
         node[k] = PlaceFunctions<dim>::of_node(nodal, independent[k]);
       else
         for (unsigned int at = 0; at < independent.size(); ++at)
-          node[k] += spread(k, at) * PlaceFunctions<dim>::of_node(nodal, independent[at]);
+          node[k] += *spread.at(at, k) * PlaceFunctions<dim>::of_node(nodal, independent[at]);
   }
   const double edge_length = field.edge(c) * field.lattice->cell_size();
   const auto factors = functions.factors(field.unit_position(x, c));

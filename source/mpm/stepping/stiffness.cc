@@ -272,22 +272,24 @@ void add_general_stiffness(const Body<dim> &body,
     // Buffers alone: nothing is read that this cell has not written.
     static thread_local Eigen::MatrixXd local;
     static thread_local Buffer of_wide, of_product, of_reduced;
+    static thread_local std::vector<double> of_spread;
     cell_stiffness(body, s, c, local);
-    const Eigen::MatrixXd &extension = body.field.cells().extension(c);
-    if (extension.size() == 0)
+    if (!body.field.cells().extended(c))
     {
       add(c, local);
       return;
     }
-    // (E (x) I)^T local (E (x) I), direction by direction: both sides hold dim components per node.
-    const unsigned int m = extension.cols(), n = extension.rows();
+    // (E (x) I)^T local (E (x) I) with the transpose of E in spread, direction by direction: both sides hold
+    // dim components per node.
+    const DenseKernels::In spread = body.field.spread(c, of_spread);
+    const unsigned int m = body.field.cells().independent(c).size(), n = body.field.cells().nodes_per_cell();
     Buffer::Matrix wide = of_wide.sized(dim * n, dim * m), product = of_product.sized(dim * n, dim * m),
                    reduced = of_reduced.sized(dim * m, dim * m);
     wide.setZero();
     for (unsigned int a = 0; a < n; ++a)
       for (unsigned int b = 0; b < m; ++b)
         for (unsigned int d = 0; d < dim; ++d)
-          wide(dim * a + d, dim * b + d) = extension(a, b);
+          wide(dim * a + d, dim * b + d) = *spread.at(b, a);
     product.noalias() = local * wide;
     reduced.noalias() = wide.transpose() * product;
     add(c, reduced);

@@ -228,8 +228,9 @@ private:
 
   bool follows = false;       ///< its contact, with inertia
   std::vector<double> weight; ///< of its rays: their shares in the force at the start
-  /// Rays half a spacing before and behind the contact, in every direction across the rays.
-  std::array<RayHere, 2 * (dim - 1)> beside;
+  /// Rays half a spacing before and behind the contact, in every direction across the rays; without inertia
+  /// none.
+  std::vector<RayHere> beside;
   Across kept;               ///< differences of their gaps [m]
   double bend_at_start = 0.; ///< of the gap across the rays, in space the product of both [m^(1-dim)]
   double widest = 0.;        ///< force beyond which the contact is not narrow [N/m^(3-dim)]

@@ -2,6 +2,7 @@
 #ifndef softgrain_mpm_field_body_field_h
 #define softgrain_mpm_field_body_field_h
 
+#include <softgrain/linear/dense_kernels.h>
 #include <softgrain/mpm/field/cell_functions.h>
 #include <softgrain/mpm/field/cell_levels.h>
 #include <softgrain/mpm/field/field_cells.h>
@@ -109,6 +110,12 @@ public:
     const unsigned int n = own_cells.nodes_per_cell();
     return {own_cells.nodes(point_cell[p]), &point_values[p * n], &point_slopes[p * n]};
   }
+  /**
+   * @brief The matrix (independent nodes x nodes) of an extended cell: values at its nodes are its transpose
+   * times those of its independent nodes. It is filled up for DenseKernels with rows of zeros.
+   * @param room where it is made in space: kept, it would be a tenth of all memory there
+   */
+  DenseKernels::In spread(unsigned int cell, std::vector<double> &room) const;
   /// The field at the markers, in terms of independent nodes; none where it knows no markers.
   const WeightsOfPlaces &markers() const { return marker_rows; }
   /// The field at any place within the cells that the body reaches; empty when no node of the body reaches
@@ -139,7 +146,10 @@ private:
   using Entries = std::vector<std::pair<dealii::types::global_dof_index, double>>;
   Entries extend_node(unsigned int node, const Box &strong_cells) const;
   void build_cell_dependence();
-  void transpose_cells();
+  /// Where independent nodes of a cell stand in its list, by node; until the next call of this thread.
+  const std::vector<unsigned int> &places_in_cell(unsigned int cell) const;
+  /// Fills a matrix of zeros, see spread().
+  void fill_spread(unsigned int cell, const DenseKernels::Out &matrix) const;
   void color_cells();
   Index first_node(const Index &cell) const;
   Index node_index(const Index &cell, unsigned int k) const;

@@ -27,11 +27,8 @@ public:
 
   /// Independent nodes that the nodes of cell @p c depend on.
   const std::vector<unsigned int> &independent(const unsigned int c) const { return dependence[c]; }
-  /// The matrix (nodes_per_cell x independent nodes) between them; it is empty when the nodes themselves are
-  /// independent.
-  const Eigen::MatrixXd &extension(const unsigned int c) const { return matrix[c]; }
-  /// The transpose of that matrix, filled up for DenseKernels with rows of zeros.
-  const Eigen::MatrixXd &spread(const unsigned int c) const { return transpose[c]; }
+  /// Whether nodes of cell @p c depend on others; else its independent nodes are its nodes, in their order.
+  bool extended(const unsigned int c) const { return is_extended[c] != 0; }
 
   /// Groups of cells of which no two touch the same independent node (for assembly) or the same node (for
   /// scattering): cells of a group can be worked on at once, and the order of additions never depends on the
@@ -53,7 +50,8 @@ private:
   /// Where a node stands in `node`, for all nodes one after the other, and where each of them begins.
   std::vector<unsigned int> place_of_node, place_start;
   std::vector<std::vector<unsigned int>> dependence;
-  std::vector<Eigen::MatrixXd> matrix, transpose;
+  std::vector<char> is_extended;
+  std::vector<Eigen::MatrixXd> matrix; ///< of BodyField::spread(), in the plane
   std::vector<std::vector<unsigned int>> groups;
 };
 } // namespace softgrain::mpm

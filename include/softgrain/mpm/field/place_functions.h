@@ -10,6 +10,9 @@
 
 #include <Eigen/Core>
 
+#include <type_traits>
+#include <vector>
+
 namespace softgrain::mpm
 {
 /**
@@ -24,9 +27,10 @@ struct PlaceFunctions
 {
   using Vector = dealii::Tensor<1, dim>;
 
-  /// A list with room for as many as most places have, without an allocation.
+  /// A list, in the plane with room for as many as most places have, without an allocation. In space room for
+  /// all would be more than a kilobyte of places that are never looked at.
   template <class T>
-  using List = boost::container::small_vector<T, dim == 2 ? 16 : 36>;
+  using List = std::conditional_t<dim == 2, boost::container::small_vector<T, 16>, std::vector<T>>;
 
   unsigned int cell = 0;   ///< of the body, whose independent nodes these are
   List<unsigned int> node; ///< independent nodes; none: out of reach

@@ -40,8 +40,7 @@ public:
   DenseKernels::Out
   find(const Body<dim> &body, const StepState<dim> &s, const unsigned int cell, const int n_rows)
   {
-    const Eigen::MatrixXd &spread = body.field.cells().spread(cell);
-    const bool extended = spread.size() > 0;
+    const bool extended = body.field.cells().extended(cell);
     const unsigned int first = body.field.cells().first_point(cell), n = body.field.cells().nodes_per_cell();
     const int n_columns = dim * (body.field.cells().first_point(cell + 1) - first),
               n_filled = extended ? DenseKernels::filled(n_columns) : n_columns;
@@ -73,12 +72,13 @@ public:
     }
     for (unsigned int k = 0; k < n; ++k)
       std::fill(nodal.at(n_columns, k), nodal.at(n_filled, k), 0.);
-    DenseKernels::set_product(n_rows, n_filled, n, {spread.data(), spread.outerStride()}, nodal, slopes);
+    DenseKernels::set_product(n_rows, n_filled, n, body.field.spread(cell, of_spread), nodal, slopes);
     return slopes;
   }
 
 private:
   CellMemory of_nodes, of_slopes;
+  std::vector<double> of_spread;
 };
 } // namespace softgrain::mpm
 
