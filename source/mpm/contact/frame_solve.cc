@@ -243,7 +243,8 @@ bool FrameSystem<dim>::settle(const double cell_size, const unsigned int negativ
     if (pass >= most_in_saddle && farthest_way(here) > farthest * cell_size)
       return false;
     const bool any_wrong = find_wrong(here, cell_size);
-    settled = !any_wrong || (dim == 3 && any_slips && repeats && worst < wrong_that_may_be * largest);
+    const bool with_friction = any_slips || by_threshold;
+    settled = !any_wrong || (dim == 3 && with_friction && repeats && worst < wrong_that_may_be * largest);
     if (!settled)
       change_sides(here, repeats ? share_of_worst : 0.);
     if (!any_wrong)
