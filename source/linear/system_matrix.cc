@@ -149,14 +149,6 @@ void SystemMatrix::add_mass(const Eigen::VectorXd &mass, const double factor)
       values[start[dim * i + d]] += factor * mass[i];
 }
 
-void SystemMatrix::add_to_diagonal(const double value)
-{
-  double *values = matrix.valuePtr();
-  const int *start = matrix.outerIndexPtr();
-  for (int i = 0; i < matrix.rows(); ++i)
-    values[start[i]] += value;
-}
-
 template void SystemMatrix::add_mass<2>(const Eigen::VectorXd &, double);
 template void SystemMatrix::add_mass<3>(const Eigen::VectorXd &, double);
 } // namespace softgrain

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Rays get denser where outlines lie in each other between them: their places and forces stay, the spacing is
-// halved twice at most, and no other frame changes. Where a frame begins along its rays does not matter.
+// halved twice at most, and no other frame changes.
 #include <softgrain/mpm/contact/denser_rays.h>
 
 #include <cmath>
@@ -35,10 +35,10 @@ Frame frame_between(const unsigned int body, const unsigned int partner, const u
   return frame;
 }
 
-mpm::Verdict overlap(const Meeting &meeting, const double cells, const double beside)
+mpm::Verdict overlap(const Meeting &meeting, const double cells)
 {
   mpm::Verdict verdict;
-  verdict.take(Intrusion{cells * cell, dealii::Point<2>(beside * cell, 9. * cell)}, meeting);
+  verdict.take(Intrusion{cells * cell, dealii::Point<2>()}, meeting);
   return verdict;
 }
 
@@ -60,13 +60,14 @@ int main()
                                      frame_between(1, none, 3), frame_between(1, none, n_walls + 3)};
   std::vector<Frame> frames = before;
   using With = Meeting::With;
-  show("shallow", overlap({With::body, 0, 1}, 0.04, 0.2), frames);
-  show("beside the rays", overlap({With::body, 0, 1}, 0.06, 3.), frames);
-  show("two bodies", overlap({With::body, 0, 1}, 0.06, 0.2), frames);
-  show("told by the other one", overlap({With::body, 1, 0}, 0.06, 0.2), frames);
-  show("dense enough", overlap({With::body, 1, 0}, 0.06, 0.2), frames);
-  show("a wall", overlap({With::wall, 1, 3}, 0.06, 1.9), frames);
-  show("an obstacle", overlap({With::obstacle, 1, 3}, 0.06, -1.9), frames);
+  show("shallow", overlap({With::body, 0, 1}, 0.04), frames);
+  show("two bodies", overlap({With::body, 0, 1}, 0.06), frames);
+  show("told by the other one", overlap({With::body, 1, 0}, 0.06), frames);
+  show("dense enough", overlap({With::body, 1, 0}, 0.06), frames);
+  mpm::Verdict both = overlap({With::wall, 1, 3}, 0.06);
+  both.take(overlap({With::obstacle, 1, 3}, 0.055));
+  both.take(overlap({With::body, 2, 0}, 0.045));
+  show("a wall and an obstacle", mpm::Verdict::of(both.numbers()), frames);
 
   double moved = 0., changed = 0.;
   for (unsigned int f = 0; f < frames.size(); ++f)
@@ -80,5 +81,5 @@ int main()
 
   std::vector<Frame> corner(1, frame_between(1, 0, none));
   corner[0].corner = 0;
-  show("the ray of a corner", overlap({With::body, 0, 1}, 0.06, 0.2), corner);
+  show("the ray of a corner", overlap({With::body, 0, 1}, 0.06), corner);
 }

@@ -75,8 +75,6 @@ public:
   /// Adds @p factor * @p mass to the diagonal, one mass per node.
   template <int dim>
   void add_mass(const Eigen::VectorXd &mass, double factor);
-  /// Adds @p value to every number of the diagonal.
-  void add_to_diagonal(double value);
 
   /// Adds a symmetric @p block to that of a node with itself.
   template <int dim>

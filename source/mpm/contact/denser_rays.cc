@@ -10,7 +10,6 @@ namespace
 {
 constexpr double deep = 0.05;    ///< overlap from which on rays are missed [cells]
 constexpr double densest = 0.12; ///< spacing below which none is halved [cells]
-constexpr double beside = 1.;    ///< way from a ray beyond which a place belongs to another frame [cells]
 
 bool is_of(const ContactFrame<2> &frame, const Meeting &meeting, const unsigned int n_walls)
 {
@@ -27,14 +26,6 @@ bool is_of(const ContactFrame<2> &frame, const Meeting &meeting, const unsigned 
   }
 }
 
-/// Whether the place lies under the rays of a frame, or just beside them. Where the origin lies along the
-/// rays says nothing: it stays there while the contact moves.
-bool is_under(const dealii::Point<2> &place, const ContactFrame<2> &frame, const double cell_size)
-{
-  const double offset = (place - frame.origin) * frame.across[0];
-  return offset > frame.offset(frame.rays.front().index)[0] - beside * cell_size &&
-         offset < frame.offset(frame.rays.back().index)[0] + beside * cell_size;
-}
 } // namespace
 
 void lay_denser_rays(const Verdict &verdict,
@@ -42,12 +33,15 @@ void lay_denser_rays(const Verdict &verdict,
                      const double cell_size,
                      std::vector<ContactFrame<2>> &frames)
 {
-  if (verdict.deepest.depth < deep * cell_size)
-    return;
+  const auto is_deep = [&](const ContactFrame<2> &frame)
+  {
+    return std::any_of(verdict.deep.begin(), verdict.deep.end(),
+                       [&](const auto &overlap) {
+                         return overlap.first >= deep * cell_size && is_of(frame, overlap.second, n_walls);
+                       });
+  };
   for (ContactFrame<2> &frame : frames)
-    if (frame.corner == ContactFrame<2>::none && !frame.rays.empty() &&
-        frame.spacing > 2. * densest * cell_size && is_of(frame, verdict.overlap, n_walls) &&
-        is_under(verdict.deepest.place, frame, cell_size))
+    if (frame.corner == ContactFrame<2>::none && frame.spacing > 2. * densest * cell_size && is_deep(frame))
     {
       frame.spacing *= 0.5;
       for (ContactFrame<2>::RayPlace &ray : frame.rays)

@@ -180,8 +180,33 @@ double width_of(const Body<2> &body)
   return 4. * body.rest.area / perimeter;
 }
 
+std::tuple<Meeting::With, unsigned int, unsigned int> Meeting::key() const
+{
+  if (with == With::body)
+    return {with, std::min(body, other), std::max(body, other)};
+  return {with, body, other};
+}
+
+void Verdict::note_deep(const double depth, const Meeting &meeting)
+{
+  if (depth <= 0. || (deep.size() == most_deep && depth < deep.back().first))
+    return;
+  const auto same = std::find_if(deep.begin(), deep.end(),
+                                 [&](const auto &other) { return other.second.key() == meeting.key(); });
+  if (same != deep.end())
+    same->first = std::max(same->first, depth);
+  else
+    deep.emplace_back(depth, meeting);
+  std::sort(deep.begin(), deep.end(),
+            [](const auto &a, const auto &b)
+            { return a.first != b.first ? a.first > b.first : a.second.key() < b.second.key(); });
+  if (deep.size() > most_deep)
+    deep.pop_back();
+}
+
 void Verdict::take(const Intrusion &found, const Meeting &meeting)
 {
+  note_deep(found.depth, meeting);
   if (found.depth > deepest.depth)
   {
     deepest = found;
@@ -212,21 +237,26 @@ void Verdict::take(const Verdict &other)
     way = other.way;
     passing = other.passing;
   }
+  for (const auto &[depth, meeting] : other.deep)
+    note_deep(depth, meeting);
 }
 
 Verdict::Numbers Verdict::numbers() const
 {
-  const auto number = [](const auto n) { return static_cast<double>(n); };
-  return {deepest.depth,
-          deepest.place[0],
-          deepest.place[1],
-          number(overlap.with),
-          number(overlap.body),
-          number(overlap.other),
-          way,
-          number(passing.with),
-          number(passing.body),
-          number(passing.other)};
+  Numbers result = {deepest.depth, deepest.place[0], deepest.place[1], way};
+  const auto add = [&](const Meeting &meeting)
+  {
+    for (const unsigned int n : {static_cast<unsigned int>(meeting.with), meeting.body, meeting.other})
+      result.push_back(n);
+  };
+  add(overlap);
+  add(passing);
+  for (unsigned int k = 0; k < most_deep; ++k)
+  {
+    result.push_back(k < deep.size() ? deep[k].first : 0.);
+    add(k < deep.size() ? deep[k].second : Meeting());
+  }
+  return result;
 }
 
 Verdict Verdict::of(const Numbers &n)
@@ -236,7 +266,14 @@ Verdict Verdict::of(const Numbers &n)
     return {static_cast<Meeting::With>(static_cast<int>(n[i])), static_cast<unsigned int>(n[i + 1]),
             static_cast<unsigned int>(n[i + 2])};
   };
-  return {{n[0], Point(n[1], n[2])}, meeting(3), n[6], meeting(7)};
+  Verdict verdict;
+  verdict.deepest = {n[0], Point(n[1], n[2])};
+  verdict.way = n[3];
+  verdict.overlap = meeting(4);
+  verdict.passing = meeting(7);
+  for (unsigned int i = 10; i < n.size() && n[i] > 0.; i += 4)
+    verdict.deep.emplace_back(n[i], meeting(i + 1));
+  return verdict;
 }
 
 Verdict judge_outlines(const OutlineScene &scene, const MovedOutlines &moved)

@@ -11,31 +11,9 @@ namespace
 constexpr double locked = 1e4;
 } // namespace
 
-template <int dim>
-double sum_of_lengths(const Eigen::VectorXd &of_nodes)
-{
-  double sum = 0.;
-  for (unsigned int i = 0; i < of_nodes.size(); i += dim)
-    sum += of_nodes.segment<dim>(i).norm();
-  return sum;
-}
-
-template double sum_of_lengths<2>(const Eigen::VectorXd &);
-template double sum_of_lengths<3>(const Eigen::VectorXd &);
-
-void resist_more(const double more,
-                 const Eigen::VectorXd &v,
-                 Eigen::VectorXd &missing,
-                 SystemMatrix *const matrix)
-{
-  missing -= more * v;
-  if (matrix != nullptr)
-    matrix->add_to_diagonal(more);
-}
-
 BodyResistance::BodyResistance(const BodyStart &start)
     : dt(start.plan.dt)
-    , shift(start.plan.regularisation * dt * dt * start.softest / start.body.nodes.mass.size())
+    , nodes(start.body.nodes.mass, start.plan.regularisation, dt * dt * start.softest)
     , weight(30. * (start.nothing_turns_it ? locked : start.plan.regularisation) * dt * dt * start.softest *
              start.body.rest.area)
     , rotation(whole_rotation(start.body))
@@ -58,14 +36,14 @@ void BodyResistance::find_missing(const Body<2> &body,
   missing = dt * internal;
   if (load.size() > 0)
     missing += dt * load;
-  missing -= shift * v;
+  nodes.subtract(v, missing);
   if (weight > 0.)
     missing -= weight * rotation.dot(v) * rotation;
 }
 
 void BodyResistance::add_mass(const Body<2> &, SystemMatrix &matrix) const
 {
-  matrix.add_to_diagonal(shift);
+  nodes.add_to(matrix);
 }
 
 void BodyResistance::resist_more(const Body<2> &,
@@ -74,8 +52,7 @@ void BodyResistance::resist_more(const Body<2> &,
                                  Eigen::VectorXd &missing,
                                  SystemMatrix *const matrix)
 {
-  mpm::resist_more((factor - 1.) * shift, v, missing, matrix);
-  shift *= factor;
+  nodes.rise(factor, v, missing, matrix);
 }
 
 double BodyResistance::regularisation_work(const Body<2> &body, const Eigen::VectorXd &increment) const
@@ -86,19 +63,16 @@ double BodyResistance::regularisation_work(const Body<2> &body, const Eigen::Vec
   for (unsigned int i = 0; i < body.nodes.mass.size(); ++i)
     for (unsigned int d = 0; d < 2; ++d)
       way[d] += body.nodes.mass[i] / mass * increment[2 * i + d];
-  return 0.5 * (shift / (dt * dt) * increment.squaredNorm() + before * way);
+  return 0.5 * (nodes.times_way(increment) / (dt * dt) + before * way);
 }
 
 dealii::Tensor<1, 2> BodyResistance::resistance(const Body<2> &, const Eigen::VectorXd &increment) const
 {
-  dealii::Tensor<1, 2> force;
-  for (unsigned int i = 0; i < increment.size(); ++i)
-    force[i % 2] += shift / (dt * dt) * increment[i];
-  return force;
+  return nodes.sum(increment) / (dt * dt);
 }
 
 double BodyResistance::held_back(const Body<2> &, const Eigen::VectorXd &increment) const
 {
-  return shift / (dt * dt) * sum_of_lengths<2>(increment);
+  return nodes.amounts(increment) / (dt * dt);
 }
 } // namespace softgrain::mpm

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/body/whole_rotation.h>
-#include <softgrain/mpm/stepping/body_resistance.h>
+#include <softgrain/mpm/stepping/nodal_resistance.h>
 #include <softgrain/mpm/stepping/refused_step.h>
 #include <softgrain/mpm/stepping/space_equations.h>
 #include <softgrain/mpm/stepping/stiffness.h>
@@ -60,7 +60,7 @@ SpaceEquations::SpaceEquations(const std::vector<Body<3>> &bodies,
     , plan(plan)
     , loads(times_of_loads(settings.scheme, plan, time))
     , missing_impulse(bodies.size())
-    , shift(bodies.size())
+    , resistance(bodies.size())
     , rotations(bodies.size())
     , rotation_weight(bodies.size())
     , end(time + plan.law_dt())
@@ -76,8 +76,8 @@ SpaceEquations::SpaceEquations(const std::vector<Body<3>> &bodies,
                         if (!external_force(body, loads, external[b]))
                           external[b].resize(0);
                         const double dt_2 = plan.dt * plan.dt;
-                        shift[b] = plan.regularisation * dt_2 * young * std::cbrt(body.rest.area) /
-                                   body.nodes.mass.size();
+                        resistance[b] = NodalResistance<3>(body.nodes.mass, plan.regularisation,
+                                                           dt_2 * young * std::cbrt(body.rest.area));
                         rotations[b] = frictionless ? Eigen::MatrixXd(whole_rotation(body))
                                                     : Eigen::MatrixXd(body.nodes.displacement.size(), 0);
                         rotation_weight[b] = 30. * (body.boundary.circular ? locked : plan.regularisation) *
@@ -127,7 +127,7 @@ void SpaceEquations::find_missing(const Body<3> &body, const Eigen::VectorXd &v)
   missing_impulse[b] = plan.dt * internal[b];
   if (external[b].size() > 0)
     missing_impulse[b] += plan.dt * external[b];
-  missing_impulse[b] -= shift[b] * v;
+  resistance[b].subtract(v, missing_impulse[b]);
   missing_impulse[b] -= rotations[b] * (rotation_weight[b] * (rotations[b].transpose() * v));
 }
 
@@ -149,7 +149,7 @@ void SpaceEquations::assemble_exact(const Body<3> &body)
   SystemMatrix &matrix = work.matrices[b];
   matrix.set_zero();
   add_stiffness(body, work.trial[b], plan.dt * plan.dt, matrix);
-  matrix.add_to_diagonal(shift[b]);
+  resistance[b].add_to(matrix);
   work.solvers[b]->set_update(rotations[b], rotation_weight[b]);
 }
 
@@ -159,9 +159,8 @@ void SpaceEquations::resist_more(const double factor, const Vectors &v, const bo
                       [&](const Body<3> &body)
                       {
                         const unsigned int b = body.index;
-                        mpm::resist_more((factor - 1.) * shift[b], v[b], missing_impulse[b],
-                                         in_matrices ? &work.matrices[b] : nullptr);
-                        shift[b] *= factor;
+                        resistance[b].rise(factor, v[b], missing_impulse[b],
+                                           in_matrices ? &work.matrices[b] : nullptr);
                       });
 }
 
@@ -172,11 +171,11 @@ void SpaceEquations::solve_free(const unsigned int b, Eigen::VectorXd &x) const
 
 double SpaceEquations::held_back(const unsigned int b) const
 {
-  return shift[b] / (plan.dt * plan.dt) * sum_of_lengths<3>(increment[b]);
+  return resistance[b].amounts(increment[b]) / (plan.dt * plan.dt);
 }
 
 double SpaceEquations::regularisation_work(const unsigned int b) const
 {
-  return 0.5 * shift[b] / (plan.dt * plan.dt) * increment[b].squaredNorm();
+  return 0.5 * resistance[b].times_way(increment[b]) / (plan.dt * plan.dt);
 }
 } // namespace softgrain::mpm

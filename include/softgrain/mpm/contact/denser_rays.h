@@ -16,7 +16,8 @@ namespace softgrain::mpm
  * surfaces in each other between these, the places it has missed are added, as exchange methods for
  * semi-infinite problems do (@cite hettich1993). A frame keeps its rays, and what they carry; new ones stand
  * between them from the next step on. A spacing is halved twice at most.
- * @param verdict   what is wrong with a step: the pair that lies deepest in each other
+ * @param verdict   what is wrong with a step: the pairs that lie deepest in each other, all whose frames
+ * change, so that a scene stays its own mirror image
  * @param n_walls   number from which on frames count obstacles
  * @param cell_size [m]
  * @param frames    those with which the next step begins

@@ -5,7 +5,9 @@
 #include <softgrain/geometry/outline_overlap.h>
 #include <softgrain/mpm/contact/contact_tasks.h>
 
-#include <array>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace softgrain::mpm
 {
@@ -29,6 +31,9 @@ struct Meeting
 
   With with = With::body;
   unsigned int body = 0, other = 0; ///< their numbers
+
+  /// The same for either order of two bodies.
+  std::tuple<With, unsigned int, unsigned int> key() const;
 };
 
 /**
@@ -42,11 +47,15 @@ struct Verdict
   Meeting overlap;   ///< whose that is
   double way = 0;    ///< largest way of a pair that passes on it, over what is seen at its ends; 0: none does
   Meeting passing;   ///< whose that is
+  /// The pairs that lie deepest in each other, once each, the deepest first; no more than most_deep.
+  std::vector<std::pair<double, Meeting>> deep;
+  static constexpr unsigned int most_deep = 16;
 
   /// Becomes the worse of both in each; of equal ones that of the body with the lower number.
   void take(const Verdict &other);
   void take(const Intrusion &found, const Meeting &meeting);
   void take_way(double share, const Meeting &meeting);
+  void note_deep(double depth, const Meeting &meeting);
 
   using Numbers = std::vector<double>; ///< always as many
   Numbers numbers() const;

@@ -3,24 +3,16 @@
 #define softgrain_mpm_stepping_body_resistance_h
 
 #include <softgrain/mpm/stepping/body_terms.h>
+#include <softgrain/mpm/stepping/nodal_resistance.h>
 #include <softgrain/mpm/stepping/step.h>
 #include <softgrain/mpm/stepping/time_integrator.h>
 
 namespace softgrain::mpm
 {
-/// Sum over the nodes of the amounts of a vector with dim components per node.
-template <int dim>
-double sum_of_lengths(const Eigen::VectorXd &of_nodes);
-
-/// Resists the velocities @p v of nodes by @p more [N s^2/m^(3-dim)/m]: in the impulse that is missing for
-/// them, and in the matrix, if one is given.
-void resist_more(double more, const Eigen::VectorXd &v, Eigen::VectorXd &missing, SystemMatrix *matrix);
-
 /**
  * @brief What resists the motion of one body in a step without inertia: a share of the stiffness of its
  * softest material of the scene against the motion of nodes, and against a turn of the whole: a hard body
- * among soft ones is held by what they can bear. Every node resists alike: one at the rim, which holds little
- * matter, is moved by contact as strongly as any other. See doc/theory.md, "Without inertia".
+ * among soft ones is held by what they can bear. See doc/theory.md, "Without inertia".
  */
 class BodyResistance final : public BodyTerms<2>
 {
@@ -61,8 +53,8 @@ public:
 
 private:
   double dt;
-  double shift;  ///< of the diagonal of the matrix [N s^2/m/m]
-  double weight; ///< of the torque, per radian [N s^2 m/m]
+  NodalResistance<2> nodes; ///< [N s^2/m/m]
+  double weight;            ///< of the torque, per radian [N s^2 m/m]
   WholeRotation<2> rotation;
   dealii::Tensor<1, 2> before;
 };

@@ -9,6 +9,7 @@
 #include <softgrain/mpm/model/settings.h>
 #include <softgrain/mpm/stepping/body_equations.h>
 #include <softgrain/mpm/stepping/external_force.h>
+#include <softgrain/mpm/stepping/nodal_resistance.h>
 #include <softgrain/mpm/stepping/step.h>
 #include <softgrain/mpm/stepping/stress.h>
 
@@ -86,8 +87,8 @@ protected:
   Vectors missing_impulse;
 
 private:
-  std::vector<double> shift;              ///< of the diagonal of a body's matrix
-  std::vector<Eigen::MatrixXd> rotations; ///< at the start of the step
+  std::vector<NodalResistance<3>> resistance; ///< [N s^2/m]
+  std::vector<Eigen::MatrixXd> rotations;     ///< at the start of the step
   std::vector<double> rotation_weight;
   const double end; ///< of the step, as laws see time [s]
   std::vector<StressOutcome> stress;
