@@ -7,7 +7,10 @@ namespace softgrain::mpm
 {
 namespace
 {
-constexpr double calm = 1e-2; ///< share up to which a step resists by masses
+/// Share up to which a step resists by masses. In space steps that begin without a minimum are frequent, and
+/// each rise in vain takes a factorisation.
+template <int dim>
+constexpr double calm = dim == 2 ? 1e-2 : 1e-4;
 } // namespace
 
 template <int dim>
@@ -22,7 +25,7 @@ NodalResistance<dim>::NodalResistance(const Eigen::VectorXd &mass, const double 
 template <int dim>
 Eigen::VectorXd NodalResistance<dim>::at(const double that_share) const
 {
-  return (std::min(that_share, calm) * by_mass).array() + std::max(0., that_share - calm) * alike;
+  return (std::min(that_share, calm<dim>) * by_mass).array() + std::max(0., that_share - calm<dim>) * alike;
 }
 
 template <int dim>

@@ -32,7 +32,7 @@ struct Meeting
   With with = With::body;
   unsigned int body = 0, other = 0; ///< their numbers
 
-  /// The same for either order of two bodies.
+  /// Numbers that two bodies have in either order.
   std::tuple<With, unsigned int, unsigned int> key() const;
 };
 
