@@ -202,7 +202,7 @@ def held_row(folder):
     """The stage "unload" of a run that may have begun there, as with --hold-mean."""
     output = softgrain.open(folder)
     _, begin, end = next(stage for stage in stages_of(output) if stage[0] == "unload")
-    _, strain, stress = walls_of(output, begin, end)
+    _, _, stress = walls_of(output, begin, end)
     strain, down = curve(argparse.Namespace(output=output, model=output.model), begin, end)
     late, lowest = np.abs(strain) >= (1 - STEADY[0]) * abs(strain[-1]), np.argmin(down)
     pressure = 0.25e-6 * sum(stress.values())

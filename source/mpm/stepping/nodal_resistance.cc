@@ -11,6 +11,16 @@ namespace
 /// each rise in vain takes a factorisation.
 template <int dim>
 constexpr double calm = dim == 2 ? 1e-2 : 1e-4;
+
+/// Sum over the nodes of what resists each of them times @p measure of its way in @p u.
+template <int dim, class Measure>
+double weighted_sum(const Eigen::VectorXd &of_node, const Eigen::VectorXd &u, const Measure &measure)
+{
+  double result = 0.;
+  for (unsigned int i = 0; i < of_node.size(); ++i)
+    result += of_node[i] * measure(u.segment<dim>(dim * i));
+  return result;
+}
 } // namespace
 
 template <int dim>
@@ -53,10 +63,7 @@ void NodalResistance<dim>::rise(const double factor,
 template <int dim>
 double NodalResistance<dim>::amounts(const Eigen::VectorXd &u) const
 {
-  double result = 0.;
-  for (unsigned int i = 0; i < of_node.size(); ++i)
-    result += of_node[i] * u.segment<dim>(dim * i).norm();
-  return result;
+  return weighted_sum<dim>(of_node, u, [](const auto &way) { return way.norm(); });
 }
 
 template <int dim>
@@ -72,10 +79,7 @@ dealii::Tensor<1, dim> NodalResistance<dim>::sum(const Eigen::VectorXd &u) const
 template <int dim>
 double NodalResistance<dim>::times_way(const Eigen::VectorXd &u) const
 {
-  double result = 0.;
-  for (unsigned int i = 0; i < of_node.size(); ++i)
-    result += of_node[i] * u.segment<dim>(dim * i).squaredNorm();
-  return result;
+  return weighted_sum<dim>(of_node, u, [](const auto &way) { return way.squaredNorm(); });
 }
 
 template class NodalResistance<2>;

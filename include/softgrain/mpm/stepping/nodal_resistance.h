@@ -25,7 +25,7 @@ public:
   NodalResistance() = default;
   /**
    * @param mass of the nodes [kg m^(dim-3)]
-   * @param share alpha of StepPlan
+   * @param share StepPlan::regularisation, or what it has risen to
    * @param whole what resists a motion of the body as a whole with a share of one [N s^2/m m^(dim-3)]
    */
   NodalResistance(const Eigen::VectorXd &mass, double share, double whole);
@@ -37,9 +37,11 @@ public:
   /// one is given.
   void rise(double factor, const Eigen::VectorXd &v, Eigen::VectorXd &missing, SystemMatrix *matrix);
 
-  /// Sums over the nodes of what resists @p u, times one, times its direction, and times the way itself.
+  /// Sum of the amounts of what resists the motion @p u of each node.
   double amounts(const Eigen::VectorXd &u) const;
+  /// Sum of these as vectors: what resists the body as a whole.
   dealii::Tensor<1, dim> sum(const Eigen::VectorXd &u) const;
+  /// Sum of what resists each node times its way: twice the work of a resistance that grows along @p u.
   double times_way(const Eigen::VectorXd &u) const;
 
 private:
@@ -48,7 +50,7 @@ private:
   Eigen::VectorXd by_mass; ///< with a share of one
   double alike = 0.;       ///< the same of every node
   double share = 0.;
-  Eigen::VectorXd of_node;
+  Eigen::VectorXd of_node; ///< with the share that it has
 };
 } // namespace softgrain::mpm
 
