@@ -6,7 +6,8 @@
 // distance from the ellipse and the error of its curvature fall with the fourth and second power of their
 // distance; sides of a square stay straight; a ray that passes a corner is not met. Of a square that stands
 // on a tip such a ray goes on around the corner, from either side, and meets the other side where it is: the
-// error is rounding. It does not go on where the side beyond looks away, nor in a dent.
+// error is rounding. It does not go on where the side beyond looks away, nor in a dent. Past the
+// end of a side a ray meets the straight line on which the side would go on, with the same derivatives.
 #include <softgrain/geometry/outline_surface.h>
 #include <softgrain/mpm/contact/ray.h>
 
@@ -156,21 +157,14 @@ double second(const RaySide<dim> &side, const Eigen::VectorXd &v, const Eigen::V
   return sum;
 }
 
-template <int dim>
-void check(const std::string &name,
-           const Field<dim> &body,
-           const RestSurface<dim> &surface,
-           const SurfacePlace<dim> &guess)
+/// @param meets what the ray meets with given displacements of the nodes
+template <int dim, class Meets>
+void check_derivatives(const std::string &name,
+                       const Field<dim> &body,
+                       const Ray<dim> &ray,
+                       const Meets &meets)
 {
-  const Ray<dim> ray = some_ray<dim>();
   const Eigen::VectorXd u = body.changes(1, 0.03);
-  const auto meets = [&](const Eigen::VectorXd &nodal)
-  {
-    RaySide<dim> side = meet(ray, surface, body.field, nodal, guess);
-    if (side.met)
-      side.find_functions(body.field);
-    return side;
-  };
   const RaySide<dim> side = meets(u);
   double first_error = 0., second_error = 0., asymmetry = 0.;
   for (unsigned int seed = 2; seed < 6; ++seed)
@@ -199,7 +193,24 @@ void check(const std::string &name,
             << side.change(across) - side.normal * ray.across[0] << '\n';
   if (!(first_error < 1e-6 && second_error < 1e-5))
     std::cout << first_error << ' ' << second_error << '\n';
-  const RaySide<dim> at_rest = meets(0. * u);
+}
+
+template <int dim>
+void check(const std::string &name,
+           const Field<dim> &body,
+           const RestSurface<dim> &surface,
+           const SurfacePlace<dim> &guess)
+{
+  const Ray<dim> ray = some_ray<dim>();
+  const auto meets = [&](const Eigen::VectorXd &nodal)
+  {
+    RaySide<dim> side = meet(ray, surface, body.field, nodal, guess);
+    if (side.met)
+      side.find_functions(body.field);
+    return side;
+  };
+  check_derivatives(name, body, ray, meets);
+  const RaySide<dim> at_rest = meets(Eigen::VectorXd::Zero(body.field.n_dofs()));
   double off = 0.;
   for (unsigned int k = 0; k < dim - 1; ++k)
     off += ray.offset[k] * ray.offset[k];
@@ -291,6 +302,43 @@ void go_around_corners(const Field<2> &disk)
   go_around("square, whose next side looks away", disk, square, 1.6, false, 0.);
   go_around("dent", disk, dent, 0.2, false, 0.);
 }
+/// Past either end of a side of a square, on the line of that side at rest and of its tangent at the end
+/// where it is deformed: not where it ends elsewhere, nor further than asked.
+void go_past_ends(const Field<2> &disk)
+{
+  const dealii::Point<2> c = Field<2>::center();
+  const OutlineSurface square({c + dealii::Point<2>(-1.5, -1.5), c + dealii::Point<2>(1.5, -1.5),
+                               c + dealii::Point<2>(1.5, 1.5), c + dealii::Point<2>(-1.5, 1.5)},
+                              {0, 4}, {1, 1, 1, 1});
+  Ray<2> ray;
+  ray.direction = dealii::Tensor<1, 2>({1., 0.2}) / std::hypot(1., 0.2);
+  ray.across[0] = dealii::Tensor<1, 2>({-0.2, 1.}) / std::hypot(1., 0.2);
+  ray.origin = c;
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(disk.field.n_dofs());
+  const SurfacePlace<2> begin = square.at(1, 0.), end = square.beyond_edge(square.at(2, 0.));
+  for (const bool at_end : {false, true})
+  {
+    const SurfacePlace<2> &corner = at_end ? end : begin;
+    const auto past = [&](const double way, const Eigen::VectorXd &nodal)
+    {
+      const dealii::Tensor<1, 2> x = corner.position - c + way * corner.tangent[0];
+      ray.offset[0] = x * ray.across[0];
+      RaySide<2> side = meet_past_end(ray, disk.field, nodal, corner, 0.2);
+      if (side.met)
+        side.find_functions(disk.field);
+      return side;
+    };
+    const double out = at_end ? 1. : -1.;
+    const RaySide<2> side = past(0.1 * out, still);
+    std::cout << "past " << (at_end ? "the end" : "the begin") << ": on the line of the side "
+              << (side.met &&
+                  std::abs(side.height * ray.direction[0] + ray.offset[0] * ray.across[0][0] - 1.5) < 1e-12)
+              << ", too far " << past(0.3 * out, still).met << ", before it " << past(-0.1 * out, still).met
+              << '\n';
+    check_derivatives<2>(at_end ? "past the end" : "past the begin", disk, ray,
+                         [&](const Eigen::VectorXd &nodal) { return past(0.1 * out, nodal); });
+  }
+}
 } // namespace
 
 int main()
@@ -322,4 +370,5 @@ int main()
               << (side.met ? side.height : 0.) << '\n';
   }
   go_around_corners(disk);
+  go_past_ends(disk);
 }

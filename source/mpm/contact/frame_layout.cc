@@ -86,15 +86,14 @@ typename FrameLayout<dim>::Guesses FrameLayout<dim>::guesses_of(const FrameStret
   return guesses;
 }
 
-/// Whether the ray meets the outside of the surface near a guess.
+/// Whether a ray has met the outside of a surface. Then it learns where.
 template <int dim>
-bool FrameLayout<dim>::meet_from(const SurfacePlace<dim> &guess,
-                                 const ContactFrame<dim> &frame,
-                                 const unsigned int side,
-                                 typename ContactFrame<dim>::RayPlace &ray,
-                                 double &height) const
+bool FrameLayout<dim>::meets_outside(const RaySide<dim> &found,
+                                     const ContactFrame<dim> &frame,
+                                     const unsigned int side,
+                                     typename ContactFrame<dim>::RayPlace &ray,
+                                     double &height) const
 {
-  const RaySide<dim> found = meet_surface(frame, side, frame.offset(ray.index), guess);
   if (!found.met)
     return false;
   ray.place[side] = found.place;
@@ -138,9 +137,11 @@ bool FrameLayout<dim>::meet_side(const FrameStretch<dim> &stretch,
     height = (corner.position - frame.origin) * frame.direction;
     return true;
   }
-  if (old != nullptr && meet_from(old->place[side], frame, side, ray, height))
-    return true;
   const Across offset = frame.offset(ray.index);
+  const auto meet_from = [&](const SurfacePlace<dim> &guess)
+  { return meets_outside(meet_surface(frame, side, offset, guess), frame, side, ray, height); };
+  if (old != nullptr && meet_from(old->place[side]))
+    return true;
   std::vector<std::pair<double, unsigned int>> nearest; // distance and number of a guess
   nearest.reserve(guesses.size());
   for (unsigned int i = 0; i < guesses.size(); ++i)
@@ -148,9 +149,19 @@ bool FrameLayout<dim>::meet_side(const FrameStretch<dim> &stretch,
   const std::size_t n = std::min<std::size_t>(tries, nearest.size());
   std::partial_sort(nearest.begin(), nearest.begin() + n, nearest.end());
   for (unsigned int i = 0; i < n; ++i)
-    if (meet_from(guesses[nearest[i].second].second, frame, side, ray, height) &&
+    if (meet_from(guesses[nearest[i].second].second) &&
         (stretch.corner != ContactFrame<dim>::none || !near_corner(frame, side, ray.place[side])))
       return true;
+  if constexpr (dim == 2)
+    if (const unsigned int b = side == 0 ? frame.partner : frame.body;
+        stretch.corner != ContactFrame<dim>::none && b != ContactFrame<dim>::none)
+      for (unsigned int i = 0; i < n; ++i)
+        if (const SurfacePlace<dim> &end = guesses[nearest[i].second].second;
+            end.at_edge &&
+            meets_outside(meet_past_end(ray_of(frame, offset, away(side)), scene.bodies[b].field,
+                                        scene.bodies[b].nodes.displacement, end, past_ends(scene)),
+                          frame, side, ray, height))
+          return true;
   return false;
 }
 

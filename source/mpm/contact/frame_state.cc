@@ -187,7 +187,12 @@ bool FrameState<dim>::meet_side(const FrameScene<dim> &scene,
   RaySide<dim> found = meet_surface(scene, displacement, side, ray, guess);
   if constexpr (dim == 2)
     if (const unsigned int b = body(side); !found.met && found.place.at_edge && b != none)
-      found = meet_around(ray, scene.outlines[b], scene.bodies[b].field, displacement[b], found.place);
+    {
+      const SurfacePlace<2> end = found.place;
+      found = meet_around(ray, scene.outlines[b], scene.bodies[b].field, displacement[b], end);
+      if (!found.met && frame.corner != none)
+        found = meet_past_end(ray, scene.bodies[b].field, displacement[b], end, past_ends(scene));
+    }
   if (!found.met)
     return false;
   here.side[side] = found;

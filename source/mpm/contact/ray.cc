@@ -218,6 +218,33 @@ RaySide<2> meet_around(const Ray<2> &ray,
   return here * there > 0. ? meet(ray, surface, field, nodal, beyond) : RaySide<2>();
 }
 
+RaySide<2> meet_past_end(const Ray<2> &ray,
+                         const BodyField<2> &field,
+                         const Eigen::VectorXd &nodal,
+                         const SurfacePlace<2> &corner,
+                         const double reach)
+{
+  RaySide<2> side;
+  FieldNear<2> near(field, nodal);
+  if (!near.look_at(corner.position))
+    return side;
+  const Deformed<2> here(corner, near);
+  const double slope = ray.across[0] * here.tangent[0],
+               off = (here.position - ray.origin) * ray.across[0] - ray.offset[0];
+  if (!(std::abs(slope) > 1e-3))
+    return side;
+  const double way = -off / slope;
+  if ((way > 0.) != (corner.along > 0.) || std::abs(way) > reach)
+    return side;
+  side.met = true;
+  side.place = corner;
+  side.past_end = way;
+  side.height = (here.position + way * here.tangent[0] - ray.origin) * ray.direction;
+  side.normal = ray.direction - (ray.direction * here.tangent[0]) / slope * ray.across[0];
+  side.way[0] = -1. / slope * ray.across[0];
+  return side;
+}
+
 template <int dim>
 RaySide<dim> meet(const Ray<dim> &ray, const RestSurface<dim> &surface, const SurfacePlace<dim> &guess)
 {

@@ -55,11 +55,11 @@ private:
 
   Guesses
   guesses_of(const FrameStretch<dim> &stretch, const ContactFrame<dim> &frame, unsigned int side) const;
-  bool meet_from(const SurfacePlace<dim> &guess,
-                 const ContactFrame<dim> &frame,
-                 unsigned int side,
-                 typename ContactFrame<dim>::RayPlace &ray,
-                 double &height) const;
+  bool meets_outside(const RaySide<dim> &found,
+                     const ContactFrame<dim> &frame,
+                     unsigned int side,
+                     typename ContactFrame<dim>::RayPlace &ray,
+                     double &height) const;
   bool near_corner(const ContactFrame<dim> &frame, unsigned int side, const SurfacePlace<dim> &place) const;
   bool
   far_side(const ContactFrame<dim> &frame, const Across &offset, const std::array<double, 2> &height) const;

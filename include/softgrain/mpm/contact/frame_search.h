@@ -113,6 +113,14 @@ double same_gap(const FrameScene<dim> &scene)
   return 1e-6 * scene.cell_size;
 }
 
+/// How far sides go on straight beyond their ends for the corners of others [m]: where two corners pass by
+/// each other, each meets the side of the other while they do.
+template <int dim>
+double past_ends(const FrameScene<dim> &scene)
+{
+  return 0.02 * scene.cell_size;
+}
+
 /// The way of a wall over the step; an obstacle and a body, whose number is none, have no such way [m].
 template <int dim>
 dealii::Tensor<1, dim> way_of_wall(const FrameScene<dim> &scene, const unsigned int w)

@@ -47,10 +47,17 @@ struct RaySide
   SurfacePlace<dim> place;      ///< in the configuration of the grid
   double height = 0;            ///< [m]
   Vector normal;                ///< w above
+  double past_end = 0;          ///< way from the place, an end of the surface, along its tangent there [m]
   PlaceFunctions<dim> function; ///< of the field at the place, once they are asked for
 
   /// Fills them: derivatives with regard to nodes need them.
-  void find_functions(const BodyField<dim> &field) { function = field.functions_at(place.position); }
+  void find_functions(const BodyField<dim> &field)
+  {
+    function = field.functions_at(place.position);
+    if (past_end != 0.)
+      for (unsigned int i = 0; i < function.node.size(); ++i)
+        function.value[i] += past_end * (function.slope[i] * place.tangent[0]);
+  }
 
   /// delta height for the changes @p v of the nodes [m].
   double change(const Eigen::VectorXd &v) const { return normal * function.at(v); }
@@ -125,6 +132,14 @@ RaySide<2> meet_around(const Ray<2> &ray,
                        const BodyField<2> &field,
                        const Eigen::VectorXd &nodal,
                        const SurfacePlace<2> &corner);
+
+/// The side of a ray that has left a surface at @p corner by @p reach [m] at most, as if the surface went on
+/// straight there.
+RaySide<2> meet_past_end(const Ray<2> &ray,
+                         const BodyField<2> &field,
+                         const Eigen::VectorXd &nodal,
+                         const SurfacePlace<2> &corner,
+                         double reach);
 
 /// The side of a rigid surface at a place that lies on the ray; not met where the surface stands along it.
 template <int dim>
