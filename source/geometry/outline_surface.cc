@@ -47,6 +47,8 @@ OutlineSurface::OutlineSurface(std::vector<dealii::Point<2>> vertices,
       }
     } while (m != first);
   }
+  for (unsigned int m = 0; m < vertex.size(); ++m)
+    places.push_back(at(m, 0.));
 }
 
 void OutlineSurface::lay_spline(const std::vector<unsigned int> &piece, const bool closed)

@@ -34,6 +34,9 @@ public:
   /// runs up to length(piece).
   Place at(unsigned int piece, double along) const;
 
+  /// The same at vertex @p m, where piece m begins.
+  const Place &at_vertex(const unsigned int m) const { return places[m]; }
+
   /// Number of pieces, which is that of the vertices.
   unsigned int n_pieces() const { return vertex.size(); }
   /// Length of the chord from vertex @p piece to the next [m].
@@ -57,6 +60,7 @@ private:
   std::vector<double> chord;                ///< length, of every piece [m]
   /// Changes of position per parameter at both ends of every piece.
   std::vector<Vector> begins, ends;
+  std::vector<Place> places; ///< at vertices
 };
 } // namespace softgrain
 

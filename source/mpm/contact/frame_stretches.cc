@@ -45,7 +45,7 @@ SampledSurface<2> sample_surface(const Body<2> &body, const OutlineSurface &outl
       // What is a dent has no cone of normals.
       if (boundary.corner[m] && before[0] * after[1] > before[1] * after[0])
         s.corner = 0.5 * std::acos(std::clamp(before * after, -1., 1.));
-      s.place = outline.at(m, 0.);
+      s.place = outline.at_vertex(m);
       surface.samples.push_back(s);
     }
     for (unsigned int i = first; i < surface.samples.size(); ++i)

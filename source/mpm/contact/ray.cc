@@ -22,6 +22,7 @@ struct NoField
 {
   using Vector = dealii::Tensor<1, dim>;
   bool look_at(const dealii::Point<dim> &) { return true; }
+  void find_curvature() {}
   Vector along(const Vector &) const { return Vector(); }
   Vector along(const Vector &, const Vector &) const { return Vector(); }
   double cell_size() const { return 0.; }
@@ -66,9 +67,10 @@ template <int dim, class Field>
 void derive(const Ray<dim> &ray,
             const Deformed<dim> &surface,
             const dealii::Tensor<2, dim - 1> &inverse,
-            const Field &field,
+            Field &field,
             RaySide<dim> &side)
 {
+  field.find_curvature();
   side.height = (surface.position - ray.origin) * ray.direction;
   side.normal = ray.direction;
   for (unsigned int i = 0; i < dim - 1; ++i)
@@ -255,7 +257,7 @@ RaySide<dim> meet(const Ray<dim> &ray, const RestSurface<dim> &surface, const Su
 template <int dim>
 RaySide<dim> side_at(const Ray<dim> &ray, const SurfacePlace<dim> &place)
 {
-  const NoField<dim> none;
+  NoField<dim> none;
   RaySide<dim> side;
   side.place = place;
   const Deformed<dim> here(place, none);

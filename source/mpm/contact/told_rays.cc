@@ -142,6 +142,7 @@ private:
     {
       RaySide<dim> &side = ray.side[s];
       part(side.met);
+      part(side.past_end);
       part(side.height);
       for (unsigned int d = 0; d < dim; ++d)
       {

@@ -105,11 +105,10 @@ bool FieldNear<dim>::look_at(const dealii::Point<dim> &x)
         for (unsigned int at = 0; at < independent.size(); ++at)
           node[k] += *spread.at(at, k) * PlaceFunctions<dim>::of_node(nodal, independent[at]);
   }
-  const double edge_length = field.edge(c) * field.lattice->cell_size();
-  const auto factors = functions.factors(field.unit_position(x, c));
+  edge_length = field.edge(c) * field.lattice->cell_size();
+  factors = functions.factors(field.unit_position(x, c));
   value = Vector();
   slope = {};
-  curvature = {};
   for (unsigned int k = 0; k < node.size(); ++k)
   {
     const auto &offset = functions.offset(k);
@@ -123,6 +122,20 @@ bool FieldNear<dim>::look_at(const dealii::Point<dim> &x)
       for (unsigned int f = 0; f < dim; ++f)
         by_d *= factors[f][d == f ? 1 : 0][offset[f]];
       slope[d] += by_d * node[k];
+    }
+  }
+  return true;
+}
+
+template <int dim>
+void FieldNear<dim>::find_curvature()
+{
+  const auto &functions = *field.functions;
+  curvature = {};
+  for (unsigned int k = 0; k < node.size(); ++k)
+  {
+    const auto &offset = functions.offset(k);
+    for (unsigned int d = 0; d < dim; ++d)
       for (unsigned int e = 0; e <= d; ++e)
       {
         double by_both = 1. / (edge_length * edge_length);
@@ -130,12 +143,10 @@ bool FieldNear<dim>::look_at(const dealii::Point<dim> &x)
           by_both *= factors[f][(d == f ? 1 : 0) + (e == f ? 1 : 0)][offset[f]];
         curvature[d][e] += by_both * node[k];
       }
-    }
   }
   for (unsigned int d = 0; d < dim; ++d)
     for (unsigned int e = d + 1; e < dim; ++e)
       curvature[d][e] = curvature[e][d];
-  return true;
 }
 
 template PlaceFunctions<2> BodyField<2>::functions_at(const dealii::Point<2> &) const;

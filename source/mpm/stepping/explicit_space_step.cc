@@ -92,7 +92,7 @@ void ExplicitSpaceStep::meet_halfway()
     of_bodies = std::max(of_bodies, gone.lpNorm<Eigen::Infinity>());
   }
   within = margin * h + largest_way() + 2. * of_bodies;
-  dealii::TimerOutput::Scope section(timer, "contact search");
+  dealii::TimerOutput::Scope section(timer, "contact rays");
   for (const Vectors &gone : {at_rest, ahead})
   {
     Vectors displacement;

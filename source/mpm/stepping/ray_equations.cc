@@ -106,7 +106,7 @@ bool RayEquations<dim>::meet(const Vectors &to)
   displacement.resize(to.size());
   for (unsigned int b = 0; b < to.size(); ++b)
     displacement[b] = world.bodies[b].nodes.displacement + scene.instants.met_at * to[b];
-  dealii::TimerOutput::Scope section(world.timer, "contact search");
+  dealii::TimerOutput::Scope section(world.timer, "contact rays");
   meet_frames(world.share, scene, force, displacement, to, path, 2. * candidates_within() + largest_way(),
               frames);
   for (unsigned int f = 0; f < frames.size() && not_met == none; ++f)

@@ -53,14 +53,17 @@ void RayRows::meet(const std::vector<Eigen::VectorXd> &way)
 
 void RayRows::find()
 {
-  dealii::TimerOutput::Scope section(*work.timer, "contact search");
-  for (const ContactFrame<2> &frame : find_frames(scene, state.frames))
   {
-    frames.emplace_back(frame, scene);
-    force.emplace_back();
-    for (const ContactFrame<2>::RayPlace &of_ray : frame.rays)
-      force.back().push_back(of_ray.force);
+    dealii::TimerOutput::Scope section(*work.timer, "contact search");
+    for (const ContactFrame<2> &frame : find_frames(scene, state.frames))
+    {
+      frames.emplace_back(frame, scene);
+      force.emplace_back();
+      for (const ContactFrame<2>::RayPlace &of_ray : frame.rays)
+        force.back().push_back(of_ray.force);
+    }
   }
+  dealii::TimerOutput::Scope section(*work.timer, "contact rays");
   std::vector<Eigen::VectorXd> way;
   for (const Body<2> &body : state.bodies)
     way.push_back(Eigen::VectorXd::Zero(body.field.n_dofs()));

@@ -3,6 +3,7 @@
 #define softgrain_mpm_field_field_near_h
 
 #include <softgrain/mpm/field/body_field.h>
+#include <softgrain/mpm/field/cell_functions.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -28,6 +29,8 @@ public:
 
   /// Fills what follows for a place. @return whether a node of the body reaches it
   bool look_at(const dealii::Point<dim> &x);
+  /// Fills second derivatives at the place that was looked at.
+  void find_curvature();
 
   double cell_size() const { return field.cell_size(); }
 
@@ -40,7 +43,7 @@ public:
       result += direction[d] * slope[d];
     return result;
   }
-  /// Second change of the field along @p one and @p other [per m^2].
+  /// Second change of the field along @p one and @p other [per m^2], after find_curvature().
   Vector along(const Vector &one, const Vector &other) const
   {
     Vector result;
@@ -54,6 +57,8 @@ private:
   const BodyField<dim> &field;
   const Eigen::VectorXd &nodal;
   unsigned int cell = static_cast<unsigned int>(-1);
+  double edge_length = 0.;                                        ///< of the cell [m]
+  typename CellFunctions<dim>::Factors factors;                   ///< at the place
   boost::container::small_vector<Vector, dim == 2 ? 9 : 27> node; ///< of the cell
   std::array<Vector, dim> slope;
   std::array<std::array<Vector, dim>, dim> curvature;
