@@ -43,11 +43,11 @@ void FreeWallDrive::declare_parameters(dealii::ParameterHandler &prm) const
   prm.declare_entry(key, "0", dealii::Patterns::Anything(), "With 'Drive = " + name + "': " + meaning);
   prm.declare_entry("Mass", "automatic", dealii::Patterns::Anything(),
                     "Of a wall that is free to move: its mass, or automatic: a tenth of that of all bodies. "
-                    "Units: kg/m.");
+                    "Units: kg/m, in space kg.");
   prm.declare_entry("Damping", "automatic", dealii::Patterns::Anything(),
                     "Of a wall that is free to move: force that resists the motion, per velocity, or "
                     "automatic: twice the root of mass times pressure, in the model bpm 0.4 times that root. "
-                    "Units: kg/(m s).");
+                    "Units: kg/(m s), in space kg/s.");
 }
 
 void FreeWallDrive::parse_parameters(const dealii::ParameterHandler &prm, const std::string &wall)

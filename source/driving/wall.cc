@@ -4,6 +4,7 @@
 #include <softgrain/driving/wall.h>
 #include <softgrain/geometry/box.h>
 #include <softgrain/geometry/shape.h>
+#include <softgrain/geometry/solid.h>
 #include <softgrain/scene/cell_checks.h>
 
 #include <algorithm>
@@ -62,16 +63,18 @@ dealii::Tensor<1, 2> prescribed_velocity_of(const Wall<2> &wall)
          (slides_freely(wall) ? 0. : wall.slide_speed) * wall.tangent();
 }
 
-void put_pressure(Wall<2> &wall, const double asked, const double length, const double share_of_damping)
+template <int dim>
+void put_pressure(Wall<dim> &wall, const double asked, const double size, const double share_of_damping)
 {
   FreeMotion &free = wall.free;
   const WallDrive &drive = *wall.description.drive;
   free.pressure = free.pressure_before + (drive.looks_beside() ? 0.4 : 1.) * (asked - free.pressure_before);
-  free.across.force = free.pressure * length;
-  // Of the period 2 pi sqrt(mass / pressure) little is left: the wall settles about as fast as grains of its
-  // mass rearrange under that pressure.
-  free.across.damping = drive.inertia().damping.value_or(
-      2. * std::sqrt(free.across.mass * std::abs(free.pressure)) * share_of_damping);
+  free.across.force = free.pressure * size;
+  // Little is left of the period 2 pi sqrt(mass / pressure), in space that with the pressure times a length:
+  // the wall settles about as fast as grains of its mass rearrange under that pressure.
+  const double stiffness = std::abs(free.pressure) * (dim == 2 ? 1. : std::sqrt(size));
+  free.across.damping =
+      drive.inertia().damping.value_or(2. * std::sqrt(free.across.mass * stiffness) * share_of_damping);
 }
 
 void put_shear(Wall<2> &wall, const double asked, const double length)
@@ -124,7 +127,8 @@ double demanded_shear(const Wall<2> &wall, const double time, const double dt)
   return wall.description.drive->shear_stress(step_of(wall, time, dt));
 }
 
-FreeWallStep free_wall_step(const Wall<2> &wall, const double dt, const double theta, const double impulse)
+template <int dim>
+FreeWallStep free_wall_step(const Wall<dim> &wall, const double dt, const double theta, const double impulse)
 {
   return free_step(wall.free.across.mass, wall.free.across.damping, wall.speed, wall.free.across.force,
                    impulse, dt, theta);
@@ -138,20 +142,25 @@ FreeWallStep free_slide_step(const Wall<2> &wall, const double dt, const double 
 
 namespace
 {
-/// What walls that are free weigh if nothing is given: a tenth of what moves [kg/m].
-double usual_mass(const Scene<2> &scene)
+double size_of(const Shape<2> &shape)
 {
-  double mass = 0.;
-  for (const BodyDescription<2> &body : scene.bodies)
-    if (!body.driven)
-      mass += scene.materials[body.material].density * body.shape->area();
-  return 0.1 * mass;
+  return shape.area();
 }
 
-/// Walls in space bear their loads without inertia.
-double usual_mass(const Scene<3> &)
+double size_of(const Shape<3> &shape)
 {
-  return 0.;
+  return shape.volume();
+}
+
+/// What walls that are free weigh if nothing is given: a tenth of what moves [kg/m; kg].
+template <int dim>
+double usual_mass(const Scene<dim> &scene)
+{
+  double mass = 0.;
+  for (const BodyDescription<dim> &body : scene.bodies)
+    if (!body.driven)
+      mass += scene.materials[body.material].density * size_of(*body.shape);
+  return 0.1 * mass;
 }
 } // namespace
 
@@ -257,6 +266,10 @@ double pressed_length(const std::vector<Wall<2>> &walls, const std::size_t w)
   return length_between_neighbours_2d(states_of(walls), w);
 }
 
+template void put_pressure(Wall<2> &, double, double, double);
+template void put_pressure(Wall<3> &, double, double, double);
+template FreeWallStep free_wall_step(const Wall<2> &, double, double, double);
+template FreeWallStep free_wall_step(const Wall<3> &, double, double, double);
 template WallState<2> state_of(const Wall<2> &);
 template double kinetic_energy_of(const Wall<2> &);
 template WallDemand demand_of(const Wall<2> &, double, double, double);

@@ -50,6 +50,8 @@ const std::vector<std::string> known = {"Dimension",
                                         "Walls/*/Friction",
                                         "Walls/*/Position",
                                         "Walls/*/Pressure",
+                                        "Walls/*/Mass",
+                                        "Walls/*/Damping",
                                         "Obstacles/",
                                         "Mesh/Lower",
                                         "Mesh/Upper",
@@ -82,6 +84,8 @@ const std::vector<std::string> known = {"Dimension",
                                         "Stages/*/*/Tangential velocity",
                                         "Stages/*/*/Position",
                                         "Stages/*/*/Pressure",
+                                        "Stages/*/*/Mass",
+                                        "Stages/*/*/Damping",
                                         "Stages/*/Stop/"};
 
 /// Of these what is the plane's alone: shapes have any parameters.
@@ -113,11 +117,14 @@ const std::vector<std::string> known_to_bonded_particles = {"Output/Inner forces
                                                             "Contact/Penetration tolerance"};
 
 /// What material points know in space, and bonded particles do not.
-const std::vector<std::string> unknown_to_bonded_particles = {"Obstacles/", "Walls/*/Pressure",
-                                                              "Stages/*/*/Pressure", "Quasi-static/"};
+const std::vector<std::string> unknown_to_bonded_particles = {
+    "Obstacles/",          "Walls/*/Pressure", "Walls/*/Mass",       "Walls/*/Damping",
+    "Stages/*/*/Pressure", "Stages/*/*/Mass",  "Stages/*/*/Damping", "Quasi-static/"};
 
 /// What a scheme does not know in space, beside what none does.
-const std::vector<std::string> unknown_at_rest = {"Time/Theta", "Time/CFL multiple"},
+const std::vector<std::string> unknown_at_rest = {"Time/Theta",      "Time/CFL multiple",
+                                                  "Walls/*/Mass",    "Walls/*/Damping",
+                                                  "Stages/*/*/Mass", "Stages/*/*/Damping"},
                                unknown_to_inertia = {"Quasi-static/"};
 
 bool matches(const std::vector<std::string> &path, const std::string &pattern)

@@ -27,13 +27,22 @@ void check_pressed(const Scene<3> &scene,
                    Mistakes &mistakes)
 {
   const std::string section = "'Walls/" + wall.name;
-  if (wall.drive_name != "pressure" || scheme != "quasi_static")
+  const bool at_rest = scheme == "quasi_static";
+  if (wall.drive_name != "pressure" || !(at_rest || scheme == "moreau_jean"))
   {
     mistakes.add(InputError(
         section + "/Drive' = '" + wall.drive_name +
         "' is not allowed with 'Dimension' = '3': it must be one that says how the wall moves, 'velocity' or "
         "'position'" +
-        (scheme.empty() ? "" : ", or with 'Time/Scheme' = 'quasi_static' also 'pressure'")));
+        (scheme.empty() ? "" : ", or with 'Time/Scheme' = 'quasi_static' or 'moreau_jean' also 'pressure'")));
+    return;
+  }
+  if (repeats(wall) && !at_rest)
+  {
+    mistakes.add(InputError(section +
+                            "/Drive' = 'pressure' is not allowed with 'Type' = 'periodic' and "
+                            "'Time/Scheme' = '" +
+                            scheme + "', where it is not there yet: it must be 'velocity' or 'position'"));
     return;
   }
   unsigned int beside = 0;

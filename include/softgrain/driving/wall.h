@@ -32,7 +32,7 @@ struct Wall
   double speed = 0;            ///< along the normal; of a prescribed wall the mean over the last step [m/s]
   double slide_speed = 0;      ///< along the tangent; when prescribed the mean over the last step [m/s]
   double offset = 0;           ///< of the cell above, of a side of a cell that repeats [m]
-  FreeMotion free;             ///< of a wall that is free, in the plane
+  FreeMotion free;             ///< of a wall that is free
   DriveBegin driven_since;
   WallBook<dim> book;
 
@@ -74,7 +74,7 @@ template <int dim>
 void plan(Wall<dim> &wall, double time, double dt);
 
 /**
- * @brief Puts the pressure that is asked for on a wall that is free, on a length of @p length.
+ * @brief Puts the pressure that is asked for on a wall that is free, on a length or an area of @p size.
  *
  * What depends on the stress beside it is approached: in a packing that yields, that stress answers a change
  * of pressure with up to three times as much. It is approached from accept_pressure() to accept_pressure(),
@@ -82,7 +82,8 @@ void plan(Wall<dim> &wall, double time, double dt);
  *
  * @param share_of_damping of the damping that is chosen for the wall, what it gets; one that is given stays
  */
-void put_pressure(Wall<2> &wall, double asked, double length, double share_of_damping = 1.);
+template <int dim>
+void put_pressure(Wall<dim> &wall, double asked, double size, double share_of_damping = 1.);
 
 /// Takes note that the step for which a wall was pressed was accepted.
 inline void accept_pressure(Wall<2> &wall)
@@ -116,19 +117,20 @@ WallState<dim> state_of(const Wall<dim> &wall);
 /// the end free_speed + P / mass.
 struct FreeWallStep
 {
-  double mass = 0;       ///< with its damping [kg/m]
+  double mass = 0;       ///< with its damping [kg/m; kg]
   double free_speed = 0; ///< [m/s]
 };
 
 /// @param theta   weight of the velocity at the end in the motion over the step and in the damping
 /// @param impulse what is known of the impulses on the wall beside its load, along the normal [N s/m]
-FreeWallStep free_wall_step(const Wall<2> &wall, double dt, double theta, double impulse = 0.);
+template <int dim>
+FreeWallStep free_wall_step(const Wall<dim> &wall, double dt, double theta, double impulse = 0.);
 
 /// Step along the tangent of a wall that is free to slide.
 FreeWallStep free_slide_step(const Wall<2> &wall, double dt, double theta, double impulse = 0.);
 
-/// The walls of a scene at the start. Those that are free have, in the plane, the mass that is given, or a
-/// tenth of that of all bodies.
+/// The walls of a scene at the start. Those that are free have the mass that is given, or a tenth of that of
+/// all bodies.
 template <int dim>
 std::vector<Wall<dim>> make_walls(const Scene<dim> &scene);
 

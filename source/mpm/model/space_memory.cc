@@ -245,7 +245,8 @@ void save_motion(const SpaceState &state, StateWriter &out)
   out.write("space/velocity", nodal(state, &NodalState<3>::velocity));
   out.write("space/internal_force", nodal(state, &NodalState<3>::internal_force));
   const MotionBalance &balance = state.motion;
-  std::vector<double> sums = {balance.scheme_damping, balance.contact_loss, balance.largest_momentum};
+  std::vector<double> sums = {balance.scheme_damping, balance.contact_loss, balance.wall_damping,
+                              balance.largest_momentum};
   add(balance.impulse, sums);
   out.write("space/motion", sums);
 }
@@ -254,12 +255,13 @@ void load_motion(const StateReader &in, const std::size_t n_dofs, SpaceState &st
 {
   take_nodal(in.read_doubles("space/velocity", n_dofs), &NodalState<3>::velocity, state);
   take_nodal(in.read_doubles("space/internal_force", n_dofs), &NodalState<3>::internal_force, state);
-  const std::vector<double> sums = in.read_doubles("space/motion", 6);
+  const std::vector<double> sums = in.read_doubles("space/motion", 7);
   MotionBalance &balance = state.motion;
   balance.scheme_damping = sums[0];
   balance.contact_loss = sums[1];
-  balance.largest_momentum = sums[2];
-  const double *at = &sums[3];
+  balance.wall_damping = sums[2];
+  balance.largest_momentum = sums[3];
+  const double *at = &sums[4];
   take(at, balance.impulse);
 }
 
@@ -331,7 +333,7 @@ void SpaceModel::load(StateReader &in)
   for (std::size_t w = 0; w < driven.size(); ++w)
   {
     state.wall_force[w] = dealii::Tensor<1, 3>() - driven[w].book.force;
-    state.loaded[w].way = driven[w].travel;
+    begin_under_load(w);
   }
   load_obstacles(in, "space/obstacles", state.time, state.obstacles);
   load_frames(in, state, driven.size());

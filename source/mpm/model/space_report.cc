@@ -36,8 +36,11 @@ Energies SpaceModel::energies() const
     energies.elastic += stored;
   for (const Body<3> &body : state.bodies)
     energies.kinetic += body.nodes.kinetic_energy();
+  for (const Wall<3> &wall : driven)
+    energies.kinetic += at_rest() ? 0. : kinetic_energy_of(wall);
   energies.dissipated = state.losses.regularisation + state.losses.released + state.losses.rubbed +
-                        state.motion.scheme_damping + state.motion.contact_loss + state.laws.loss;
+                        state.motion.scheme_damping + state.motion.contact_loss + state.motion.wall_damping +
+                        state.laws.loss;
   energies.external_work = state.load_work.sum() + state.laws.supply;
   energies.external_work += state.motion.cell_work;
   for (const Wall<3> &wall : driven)

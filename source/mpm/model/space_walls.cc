@@ -28,6 +28,20 @@ WallMotion<3> motion_of(Wall<3> wall, const double time, const double dt)
   return motion;
 }
 
+/// A wall under a load in a step of @p dt, in which an area of @p area bears its pressure. A light one that
+/// nothing bears would fly through all of the box: a step in which it has gone as far as the settings allow
+/// is made in shorter ones.
+WallWithMass
+with_mass(Wall<3> wall, const double area, const double time, const double dt, const Settings &settings)
+{
+  put_pressure(wall, demand_of(wall, time, dt).pressure, area);
+  WallWithMass free{wall.free.across, free_wall_step(wall, dt, settings.scheme.theta), wall.speed};
+  const double most = settings.wall_motion * settings.cell_size / dt;
+  if (std::abs(free.step.free_speed) > most)
+    free.stop = std::max(most, 2. * std::abs(free.speed));
+  return free;
+}
+
 /// The pressure on a wall under a load at the end of a step [Pa].
 std::optional<double> pressure_on(const Wall<3> &wall, const double time, const double dt)
 {
@@ -39,10 +53,16 @@ std::optional<double> pressure_on(const Wall<3> &wall, const double time, const 
 
 void SpaceModel::take_drives(const std::vector<std::shared_ptr<const WallDrive>> &drives)
 {
-  softgrain::take_drives(driven, drives, state.time, false);
+  softgrain::take_drives(driven, drives, state.time, !at_rest());
   for (std::size_t w = 0; w < driven.size(); ++w)
     if (drives[w])
-      state.loaded[w].way = driven[w].travel;
+      begin_under_load(w);
+}
+
+void SpaceModel::begin_under_load(const std::size_t w)
+{
+  state.loaded[w].way = driven[w].travel;
+  state.loaded[w].speed = driven[w].speed;
 }
 
 double SpaceModel::fastest_obstacle(const double dt) const
@@ -63,6 +83,14 @@ SpaceMotion SpaceModel::motion(const double dt) const
     motion.pressure.push_back(pressure_on(wall, state.time, dt));
     const double begin = begin_of_load(wall, state.time, dt > 0. ? 0. : last_dt);
     motion.pressure_at_start.push_back(pressure_on(wall, begin, 0.).value_or(0.));
+  }
+  if (!at_rest())
+  {
+    const std::vector<WallMotion<3>> now = walls_now(motion, state.loaded);
+    for (std::size_t w = 0; w < driven.size(); ++w)
+      motion.free.push_back(motion.pressure[w]
+                                ? with_mass(driven[w], pressed_area(now, w), state.time, dt, settings)
+                                : WallWithMass());
   }
   for (const Obstacle<3> &obstacle : state.obstacles)
     motion.obstacles.push_back(obstacle.motion(state.time, dt));
@@ -88,6 +116,8 @@ void SpaceModel::book_wall(const std::size_t w,
     wall.travel += dt * wall.speed;
     wall.book.work += 0.5 * (before + state.wall_force[w]) * way;
   }
+  else if (!at_rest())
+    wall.speed = state.loaded[w].speed;
   works.push_back(
       {loaded ? &of_load : &wall.book.work, 0.5 * std::abs((state.wall_force[w] - before) * way)});
   wall.book.force = dealii::Tensor<1, 3>() - state.wall_force[w];

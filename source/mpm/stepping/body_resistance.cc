@@ -26,7 +26,7 @@ Eigen::VectorXd BodyResistance::increment(const Body<2> &, const Eigen::VectorXd
   return dt * v;
 }
 
-void BodyResistance::find_missing(const Body<2> &body,
+void BodyResistance::find_missing(const Body<2> &,
                                   const Eigen::VectorXd &v,
                                   const Eigen::VectorXd &,
                                   const Eigen::VectorXd &internal,

@@ -15,6 +15,11 @@
 
 namespace softgrain::mpm
 {
+namespace
+{
+constexpr double nearly_at_stop = 0.9; ///< speed over that of a wall that is stopped
+} // namespace
+
 MovingStep::MovingStep(SpaceState &state,
                        const SpaceScene &space,
                        SpaceMotion &motion,
@@ -32,6 +37,11 @@ std::string MovingStep::find()
 {
   if (std::string trouble = find_ways(); !trouble.empty())
     return trouble;
+  for (unsigned int i = 0; i < pressed.size(); ++i)
+    if (const WallWithMass &wall = motion.free[pressed[i]];
+        wall.stop > 0. && std::abs(speed_at_end(i)) > nearly_at_stop * wall.stop)
+      return "a wall under a load would go further than " + short_number(world.settings.wall_motion) +
+             " cells";
   heed_laws(world.bodies, moving.stress_outcome(), outcome);
   if (outcome.law_asks)
     return outcome.reason;
@@ -127,6 +137,29 @@ void MovingStep::accept_motion(SpaceState &state)
   }
 }
 
+double MovingStep::speed_at_end(const unsigned int i) const
+{
+  const double theta = world.settings.scheme.theta;
+  return (system.ways[i].at / plan.dt - (1. - theta) * motion.free[pressed[i]].speed) / theta;
+}
+
+/// As contact gives the bodies what their nodes have of the way of a wall, loads give a wall what it has.
+void MovingStep::account_pressures(SpaceState &state) const
+{
+  const TimeScheme &scheme = world.settings.scheme;
+  for (unsigned int i = 0; i < pressed.size(); ++i)
+  {
+    const WallWithMass &wall = motion.free[pressed[i]];
+    LoadedWall &loaded = state.loaded[pressed[i]];
+    const double gone = system.ways[i].at;
+    loaded.speed = speed_at_end(i);
+    loaded.way += gone;
+    loaded.work += gone * wall.load.force;
+    state.motion.wall_damping += wall.load.damping * gone * gone / plan.dt;
+    state.motion.scheme_damping += scheme.loss_of_wall(wall.load.mass, loaded.speed - wall.speed);
+  }
+}
+
 void MovingStep::accept(SpaceState &state)
 {
   account_loads(
@@ -139,6 +172,7 @@ void MovingStep::accept(SpaceState &state)
       state);
   accept_motion(state);
   state.motion.contact_loss += taken;
+  account_pressures(state);
   accept_ways(state);
   if (cell)
   {
@@ -188,6 +222,7 @@ moving_step(SpaceState &state, const SpaceScene &scene, const SpaceMotion &motio
   const StepPlan plan{dt, false, 0.};
   MovingEquations equations(state.bodies, scene.settings, scene.work, plan, state.time, scene.frictionless);
   SpaceMotion planned = motion;
+  planned.walls = walls_now(planned, state.loaded);
   ImplicitMovingStep step(state, scene, planned, plan, equations);
   return try_ray_step(step, state);
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace softgrain::mpm
@@ -45,6 +46,13 @@ SpaceRayStep::SpaceRayStep(SpaceState &state,
   scene.pairs = &space.pairs;
   scene.lines = &solids;
   scene.reach += 2. * way_of_obstacles;
+  for (unsigned int w = 0; w < motion.free.size(); ++w)
+    if (motion.pressure[w])
+    {
+      motion.walls[w].velocity = motion.free[w].speed;
+      way_of_free_walls = std::max(way_of_free_walls, plan.dt * motion.free[w].fastest());
+    }
+  scene.reach += 2. * way_of_free_walls;
   take_bodies_along();
 }
 
@@ -69,14 +77,31 @@ void SpaceRayStep::find_free_walls()
       FreeWall<3> free;
       free.wall = w;
       free.normal = free.way = motion.walls[w].normal;
+      pressed.push_back(w);
+      if (inertia)
+      {
+        add_with_mass(free, motion.free[w]);
+        continue;
+      }
       const double area = pressed_area(end, w), load = *motion.pressure[w] * area,
                    net = load - wall_force[w] * free.normal;
       const PeriodicCell<3> *const side = motion.walls[w].plane ? nullptr : &cell->cell;
       system.ways.emplace_back(free, none, side, std::abs(net) < 0.5 * std::abs(load) ? 0. : net, load,
                                world.settings.wall_motion * h,
                                10. * world.settings.regularisation * young * std::sqrt(area));
-      pressed.push_back(w);
     }
+}
+
+/// A spring that stands for the mass of a wall, and for its damping, resists its way.
+void SpaceRayStep::add_with_mass(const FreeWall<3> &free, const WallWithMass &wall)
+{
+  const double dt = plan.dt, begun = (1. - theta) * wall.speed,
+               stiffness = wall.step.mass / (theta * dt * dt),
+               farthest = wall.stop > 0. ? dt * (std::abs(begun) + theta * wall.stop)
+                                         : std::numeric_limits<double>::max();
+  system.ways.emplace_back(free, none, nullptr, 0., stiffness * dt * (begun + theta * wall.step.free_speed),
+                           farthest, stiffness);
+  system.ways.back().at = dt * wall.speed;
 }
 
 void SpaceRayStep::move_free_walls()

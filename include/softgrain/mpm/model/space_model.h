@@ -104,6 +104,8 @@ private:
   /// Takes over what a step has found out of walls: how far loads have moved them, what those have done, and
   /// where the cell above stands.
   void follow_step();
+  /// A wall under a load goes on from where it has come to.
+  void begin_under_load(std::size_t w);
   void book_obstacles(const SpaceMotion &motion, std::vector<DrivenWork> &works);
   /// The fastest of obstacles in a step from now on [m/s].
   double fastest_obstacle(double dt) const;

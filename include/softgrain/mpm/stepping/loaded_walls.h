@@ -4,16 +4,31 @@
 
 #include <softgrain/driving/cell_motion.h>
 #include <softgrain/driving/obstacle.h>
+#include <softgrain/driving/wall.h>
 #include <softgrain/driving/wall_step.h>
 #include <softgrain/mpm/contact/wall_motion.h>
 #include <softgrain/mpm/stepping/wall_imbalance.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace softgrain::mpm
 {
+/// A wall under a load that has a mass, as it begins a step.
+struct WallWithMass
+{
+  WallLoad load;     ///< in the middle of the step
+  FreeWallStep step; ///< with no more than the load
+  double speed = 0.; ///< along its normal [m/s]
+  double stop = 0.;  ///< largest speed at the end, either way; 0: any [m/s]
+
+  /// Largest speed, either way, that rays look for [m/s].
+  double fastest() const { return stop > 0. ? stop : std::max(std::abs(speed), std::abs(step.free_speed)); }
+};
+
 /// What is told how to move in a step in space, and which walls are under loads.
 struct SpaceMotion
 {
@@ -21,6 +36,7 @@ struct SpaceMotion
   std::vector<ObstacleMotion<3>> obstacles;
   std::vector<std::optional<double>> pressure; ///< of walls under loads, towards the bodies, at the end [Pa]
   std::vector<double> pressure_at_start;       ///< the same, 0 without a load [Pa]
+  std::vector<WallWithMass> free;              ///< of all walls, with inertia alone
   double cell_offset = 0.; ///< of the cell above, of one that repeats, as the step begins [m]
 
   /// The cell between those walls that are its sides, as it is and as it deforms; nothing without any.
@@ -33,8 +49,9 @@ struct SpaceMotion
 /// How far a wall under a load in space has come.
 struct LoadedWall
 {
-  double way = 0.;  ///< along its normal since the start [m]
-  double work = 0.; ///< of its load since the start [J]
+  double way = 0.;   ///< along its normal since the start [m]
+  double speed = 0.; ///< along its normal, with inertia [m/s]
+  double work = 0.;  ///< of its load since the start [J]
 };
 
 /// Area on which a pressure on wall @p w acts: between the walls beside it, which look along the two other

@@ -5,6 +5,7 @@
 #include <softgrain/mpm/stepping/ray_newton.h>
 #include <softgrain/mpm/stepping/space_step.h>
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -80,8 +81,9 @@ private:
   /// Takes over how walls that are sides of a cell move: it takes the bodies along.
   void take_bodies_along();
   void find_free_walls() override;
+  void add_with_mass(const FreeWall<3> &free, const WallWithMass &wall);
   void move_free_walls() override;
-  double other_way() const override { return way_of_obstacles; }
+  double other_way() const override { return std::max(way_of_obstacles, way_of_free_walls); }
   std::string partner_of(const ContactFrame<3> &frame) const override;
   void add_contacts(unsigned int f, SpaceState &state) const;
   /// Moves all bodies, and lets points of owned ones keep what they went through, which all learn.
@@ -97,7 +99,7 @@ private:
   const std::vector<Obstacle<3>> &obstacles;           ///< as the step begins
   const std::vector<dealii::Tensor<1, 3>> &wall_force; ///< likewise
   const AllRigidRays<3> solids;
-  double way_of_obstacles = 0.; ///< the farthest in the step [m]
+  double way_of_obstacles = 0., way_of_free_walls = 0.; ///< the farthest in the step [m]
 };
 } // namespace softgrain::mpm
 

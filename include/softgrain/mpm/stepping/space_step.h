@@ -32,6 +32,7 @@ struct MotionBalance
 {
   double scheme_damping = 0;    ///< see Balance of the plane [J]
   double contact_loss = 0;      ///< taken by impacts and friction [J]
+  double wall_damping = 0;      ///< in the damping of walls under loads [J]
   double cell_work = 0;         ///< of a cell that deforms, beside that of its sides: see CellMotion [J]
   dealii::Tensor<1, 3> impulse; ///< of loads and walls, and the momentum at the start [N s]
   double largest_momentum = 0;  ///< of the nodes of a body [N s]
