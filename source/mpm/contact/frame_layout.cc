@@ -139,7 +139,7 @@ bool FrameLayout<dim>::meet_side(const FrameStretch<dim> &stretch,
   }
   const Across offset = frame.offset(ray.index);
   const auto meet_from = [&](const SurfacePlace<dim> &guess)
-  { return meets_outside(meet_surface(frame, side, offset, guess), frame, side, ray, height); };
+  { return meets_outside(meet_surface(frame, side, offset, guess, false), frame, side, ray, height); };
   if (old != nullptr && meet_from(old->place[side]))
     return true;
   std::vector<std::pair<double, unsigned int>> nearest; // distance and number of a guess

@@ -66,13 +66,15 @@ template <int dim>
 RaySide<dim> FrameLayout<dim>::meet_surface(const ContactFrame<dim> &frame,
                                             const unsigned int side,
                                             const Across &offset,
-                                            const SurfacePlace<dim> &guess) const
+                                            const SurfacePlace<dim> &guess,
+                                            const bool bends) const
 {
   const Ray<dim> ray = ray_of(frame, offset, away(side));
   const unsigned int b = side == 0 ? frame.partner : frame.body;
   if (b == ContactFrame<dim>::none)
     return scene.line_of(frame)->meet(ray, 0., guess);
-  return meet(ray, scene.outlines[b], scene.bodies[b].field, scene.bodies[b].nodes.displacement, guess);
+  return meet(ray, scene.outlines[b], scene.bodies[b].field, scene.bodies[b].nodes.displacement, guess,
+              bends);
 }
 
 /// What the ray at the origin meets. @param place near where it does
@@ -85,7 +87,7 @@ std::optional<typename FrameLayout<dim>::Met> FrameLayout<dim>::meet_both(const 
   met.gap = wall ? (frame.origin - scene.walls[frame.wall].point) * frame.direction : 0.;
   for (unsigned int side = wall ? 1 : 0; side < 2; ++side)
   {
-    const RaySide<dim> found = meet_surface(frame, side, Across(), place[side]);
+    const RaySide<dim> found = meet_surface(frame, side, Across(), place[side], true);
     if (!found.met)
       return std::nullopt;
     place[side] = found.place;
@@ -252,12 +254,8 @@ template void FrameLayout<2>::center(const FrameStretch<2> &, ContactFrame<2> &)
 template void FrameLayout<3>::center(const FrameStretch<3> &, ContactFrame<3> &) const;
 template void FrameLayout<2>::turn(const Vector &, ContactFrame<2> &) const;
 template void FrameLayout<3>::turn(const Vector &, ContactFrame<3> &) const;
-template RaySide<2> FrameLayout<2>::meet_surface(const ContactFrame<2> &,
-                                                 unsigned int,
-                                                 const Across &,
-                                                 const SurfacePlace<2> &) const;
-template RaySide<3> FrameLayout<3>::meet_surface(const ContactFrame<3> &,
-                                                 unsigned int,
-                                                 const Across &,
-                                                 const SurfacePlace<3> &) const;
+template RaySide<2> FrameLayout<2>::meet_surface(
+    const ContactFrame<2> &, unsigned int, const Across &, const SurfacePlace<2> &, bool) const;
+template RaySide<3> FrameLayout<3>::meet_surface(
+    const ContactFrame<3> &, unsigned int, const Across &, const SurfacePlace<3> &, bool) const;
 } // namespace softgrain::mpm

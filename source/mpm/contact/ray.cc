@@ -62,15 +62,15 @@ bool stands_along(const dealii::Tensor<2, n> &J)
   return !(determinant(J) * determinant(J) > 1e-6);
 }
 
-/// Gives a side that has been met its height and derivatives.
+/// Gives a side that has been met its height and derivatives. @param bends whether second ones, too
 template <int dim, class Field>
 void derive(const Ray<dim> &ray,
             const Deformed<dim> &surface,
             const dealii::Tensor<2, dim - 1> &inverse,
+            const bool bends,
             Field &field,
             RaySide<dim> &side)
 {
-  field.find_curvature();
   side.height = (surface.position - ray.origin) * ray.direction;
   side.normal = ray.direction;
   for (unsigned int i = 0; i < dim - 1; ++i)
@@ -83,6 +83,9 @@ void derive(const Ray<dim> &ray,
     }
     side.normal -= slope * ray.across[i];
   }
+  if (!bends)
+    return;
+  field.find_curvature();
   for (unsigned int i = 0; i < dim - 1; ++i)
     for (unsigned int j = 0; j < dim - 1; ++j)
     {
@@ -144,7 +147,8 @@ template <int dim, class Field>
 RaySide<dim> meet_deformed(const Ray<dim> &ray,
                            const RestSurface<dim> &surface,
                            Field &near,
-                           const SurfacePlace<dim> &guess)
+                           const SurfacePlace<dim> &guess,
+                           const bool bends)
 {
   RaySide<dim> side;
   side.place = guess;
@@ -170,7 +174,7 @@ RaySide<dim> meet_deformed(const Ray<dim> &ray,
     if (done || last)
     {
       side.met = true;
-      derive(ray, here, inverse, near, side);
+      derive(ray, here, inverse, bends, near, side);
       if (!done)
         move_on(ray, here, off, surface.move(side.place, way), way, side);
       return side;
@@ -190,12 +194,13 @@ RaySide<dim> meet(const Ray<dim> &ray,
                   const RestSurface<dim> &surface,
                   const BodyField<dim> &field,
                   const Eigen::VectorXd &nodal,
-                  const SurfacePlace<dim> &guess)
+                  const SurfacePlace<dim> &guess,
+                  const bool bends)
 {
   FieldNear<dim> near(field, nodal);
-  RaySide<dim> side = meet_deformed(ray, surface, near, guess);
+  RaySide<dim> side = meet_deformed(ray, surface, near, guess, bends);
   if constexpr (dim == 2)
-    if (side.met && !field.smooth())
+    if (side.met && bends && !field.smooth())
       round_off(ray, surface, near, side);
   return side;
 }
@@ -251,7 +256,7 @@ template <int dim>
 RaySide<dim> meet(const Ray<dim> &ray, const RestSurface<dim> &surface, const SurfacePlace<dim> &guess)
 {
   NoField<dim> none;
-  return meet_deformed(ray, surface, none, guess);
+  return meet_deformed(ray, surface, none, guess, true);
 }
 
 template <int dim>
@@ -265,7 +270,7 @@ RaySide<dim> side_at(const Ray<dim> &ray, const SurfacePlace<dim> &place)
   if (!stands_along(J))
   {
     side.met = true;
-    derive(ray, here, invert(J), none, side);
+    derive(ray, here, invert(J), true, none, side);
   }
   return side;
 }
@@ -277,10 +282,12 @@ template RaySide<2> meet(const Ray<2> &,
                          const RestSurface<2> &,
                          const BodyField<2> &,
                          const Eigen::VectorXd &,
-                         const SurfacePlace<2> &);
+                         const SurfacePlace<2> &,
+                         bool);
 template RaySide<3> meet(const Ray<3> &,
                          const RestSurface<3> &,
                          const BodyField<3> &,
                          const Eigen::VectorXd &,
-                         const SurfacePlace<3> &);
+                         const SurfacePlace<3> &,
+                         bool);
 } // namespace softgrain::mpm

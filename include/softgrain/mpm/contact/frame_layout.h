@@ -79,7 +79,8 @@ private:
   RaySide<dim> meet_surface(const ContactFrame<dim> &frame,
                             unsigned int side,
                             const Across &offset,
-                            const SurfacePlace<dim> &guess) const;
+                            const SurfacePlace<dim> &guess,
+                            bool bends) const;
 
   const FrameScene<dim> &scene;
   const Vector &apart;

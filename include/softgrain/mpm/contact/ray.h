@@ -115,6 +115,7 @@ struct RaySide
 /**
  * @brief Where the ray meets a surface, by Newton's method from @p guess on, without functions of the field.
  * @param nodal displacement of the independent nodes of @p field [m]
+ * @param bends whether second derivatives are found, too
  * @return one that is not met where the surface turns away from the ray, ends at a corner before it, or
  * leaves the field
  */
@@ -123,7 +124,8 @@ RaySide<dim> meet(const Ray<dim> &ray,
                   const RestSurface<dim> &surface,
                   const BodyField<dim> &field,
                   const Eigen::VectorXd &nodal,
-                  const SurfacePlace<dim> &guess);
+                  const SurfacePlace<dim> &guess,
+                  bool bends = true);
 
 /// The side of a ray that has left a surface at @p corner and goes on around it: beyond a convex one the
 /// other side may look the same way. Not met where it does not.
