@@ -22,27 +22,6 @@ double FrameSystem<dim>::off_direction(const unsigned int i) const
   return std::abs(z[i + 1]) > most_off_direction * std::abs(z[i]) ? std::abs(z[i + 1]) : 0.;
 }
 
-template <int dim>
-void FrameSystem<dim>::change_slip(const Eigen::VectorXd &here, const unsigned int i)
-{
-  signed char &slip = slipping[columns[i].frame][columns[i].ray_number];
-  if constexpr (dim == 2)
-    slip = slip != 0 ? 0 : z[i] > 0. ? 1 : -1;
-  else
-  {
-    // Where friction would go with the slide that it has now.
-    const double stiffness = columns[i].stiffness, most = most_friction(i),
-                 along = z[i] - stiffness * here[i],
-                 across = z[i + 1] - stiffness * (here[i + 1] - give_of(i + 1) * z[i + 1]),
-                 trial = std::hypot(along, across);
-    slip = trial > most && !(slip != 0 && here[i] > 0.);
-    if (slip == 0)
-      return;
-    turn_slides(i, along / trial, across / trial);
-    columns[i + 1].give = (trial - most) / (std::max(most, 1e-12 * trial) * stiffness);
-  }
-}
-
 /// What friction has become, at its bound where it slips; z goes back to the directions of V.
 template <int dim>
 void FrameSystem<dim>::note_friction(const unsigned int i)
@@ -51,7 +30,7 @@ void FrameSystem<dim>::note_friction(const unsigned int i)
   for (unsigned int m = 0; m < dim - 1; ++m)
     z[i + m] = friction * columns[i + m].axis_of_v;
   // Across its old direction it has grown beyond its bound.
-  if (dim == 3 && slips(i) != 0 && friction.norm() > 0.)
+  if (dim == 3 && friction.norm() > 0.)
     friction *= std::min(1., most_friction(i) / friction.norm());
   found_rubbing[columns[i].frame][columns[i].ray_number] = friction;
 }
@@ -76,6 +55,9 @@ void FrameSystem<dim>::turn_slides(const unsigned int first, const double c, con
   };
   turn(z[first], z[first + 1]);
   turn(right[first], right[first + 1]);
+  turn(from.z[first], from.z[first + 1]);
+  turn(from.here[first], from.here[first + 1]);
+  turn(nearest[first], nearest[first + 1]);
   const Across axis = columns[first].axis;
   columns[first].axis = c * axis + s * columns[first + 1].axis;
   columns[first + 1].axis = c * columns[first + 1].axis - s * axis;
@@ -92,8 +74,7 @@ void FrameSystem<dim>::turn_slides(const unsigned int first, const double c, con
 
 template double FrameSystem<2>::off_direction(unsigned int) const;
 template double FrameSystem<3>::off_direction(unsigned int) const;
-template void FrameSystem<2>::change_slip(const Eigen::VectorXd &, unsigned int);
-template void FrameSystem<3>::change_slip(const Eigen::VectorXd &, unsigned int);
+template void FrameSystem<3>::turn_slides(unsigned int, double, double);
 template void FrameSystem<2>::note_friction(unsigned int);
 template void FrameSystem<3>::note_friction(unsigned int);
 template FrameSystem<2>::Across FrameSystem<2>::found_friction(unsigned int) const;

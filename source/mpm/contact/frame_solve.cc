@@ -11,39 +11,43 @@ namespace softgrain::mpm
 {
 namespace
 {
-constexpr unsigned int most_passes = 40;
 /// After sets have repeated only rays change sides that are wrong by that share of the worst.
 constexpr double share_of_worst = 0.5;
-/// In space sets of sides may repeat for ever where a ray hardly presses. Newton's method goes on from what
-/// is wrong by no more than this share of the largest force.
-constexpr double wrong_that_may_be = 1e-2;
-constexpr double farthest = 5.;            ///< gap or slide of a step that may be [cells]
-constexpr double usual_strain = 1. / 4096; ///< of a force over stiffness and way, where both count alike
 constexpr unsigned int most_in_saddle = 3; ///< passes in which a set may belong to no minimum
-/// Passes after which the inertia is found, where a solve does not tell it anyway.
-constexpr unsigned int passes_to_inertia = 4;
-static_assert(most_passes % passes_to_inertia == 0, "the last pass tells the inertia of its set");
+constexpr double usual_strain = 1. / 4096; ///< of a force over stiffness and way, where both count alike
+
+/// A x, without the columns that x takes nothing of: with friction most are those of open rays.
+void multiply_nonzeros(const Eigen::MatrixXd &A, const Eigen::VectorXd &x, Eigen::VectorXd &product)
+{
+  product.setZero(A.rows());
+  for (int begin = 0, end; begin < x.size(); begin = end)
+  {
+    for (end = begin + 1; end < x.size() && (x[end] == 0.) == (x[begin] == 0.);)
+      ++end;
+    if (x[begin] != 0.)
+      product.noalias() += A.middleCols(begin, end - begin) * x.segment(begin, end - begin);
+  }
+}
 } // namespace
 
 template <int dim>
-int FrameSystem<dim>::number_unknowns()
+void FrameSystem<dim>::number_unknowns()
 {
   number.assign(columns.size(), -1);
-  int n = 0;
+  n_unknowns = 0;
   for (const unsigned int i : order)
     if (counts(i))
-      number[i] = n++;
-  return n;
+      number[i] = n_unknowns++;
 }
 
 template <int dim>
-Eigen::VectorXd FrameSystem<dim>::right_of_unknowns(const int n)
+Eigen::VectorXd FrameSystem<dim>::right_of_unknowns()
 {
   n_free = 0;
   for (const FreeWay<dim> &way : ways)
     n_free += way.stopped == 0;
   const Eigen::VectorXd known = set_known() ? Eigen::VectorXd(-beyond()) : right;
-  Eigen::VectorXd of_unknowns(n);
+  Eigen::VectorXd of_unknowns(n_unknowns);
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (number[i] >= 0)
       of_unknowns[number[i]] = known[i];
@@ -51,9 +55,9 @@ Eigen::VectorXd FrameSystem<dim>::right_of_unknowns(const int n)
 }
 
 template <int dim>
-std::array<Eigen::VectorXd, 2> FrameSystem<dim>::units_of_unknowns(const int n) const
+std::array<Eigen::VectorXd, 2> FrameSystem<dim>::units_of_unknowns() const
 {
-  Eigen::VectorXd of_rows(n), of_columns(n);
+  Eigen::VectorXd of_rows(n_unknowns), of_columns(n_unknowns);
   const double unit = unit_of_forces();
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (number[i] >= 0)
@@ -127,7 +131,10 @@ void FrameSystem<dim>::add_effect(const Eigen::VectorXd &all, Eigen::VectorXd &h
     if (!of_body[b].empty())
     {
       pick(b, all, of_columns);
-      effect.noalias() = W[b] * of_columns;
+      if (dim == 3 && any_slides)
+        multiply_nonzeros(W[b], of_columns, effect);
+      else
+        effect.noalias() = W[b] * of_columns;
       for (unsigned int i = 0; i < of_body[b].size(); ++i)
         here[of_body[b][i]] += effect[i];
     }
@@ -170,13 +177,16 @@ bool FrameSystem<dim>::find_wrong(const Eigen::VectorXd &here, const double cell
 }
 
 template <int dim>
-void FrameSystem<dim>::change_sides(const Eigen::VectorXd &here, const double share)
+void FrameSystem<dim>::change_sides(const double share)
 {
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (wrong[i] > 0. && wrong[i] >= share * worst)
     {
       if (columns[i].kind == Column::slide)
-        change_slip(here, i);
+      {
+        signed char &slip = slipping[columns[i].frame][columns[i].ray_number];
+        slip = slip != 0 ? 0 : z[i] > 0. ? 1 : -1;
+      }
       else
       {
         active[i] = !active[i];
@@ -184,8 +194,6 @@ void FrameSystem<dim>::change_sides(const Eigen::VectorXd &here, const double sh
           active[columns[i].mate + m] = active[i];
       }
     }
-    else if (dim == 3 && slips(i) != 0 && active[i])
-      change_slip(here, i);
 }
 
 template <int dim>
@@ -229,6 +237,9 @@ double FrameSystem<dim>::farthest_way(const Eigen::VectorXd &here) const
 template <int dim>
 bool FrameSystem<dim>::settle(const double cell_size, const unsigned int negative_of_bodies)
 {
+  if constexpr (dim == 3)
+    if (any_slides)
+      return settle_damped(cell_size, negative_of_bodies);
   bool settled = false, repeats = false;
   std::set<std::vector<signed char>> seen{sides()};
   for (unsigned int pass = 0; pass < most_passes && !settled; ++pass)
@@ -243,11 +254,9 @@ bool FrameSystem<dim>::settle(const double cell_size, const unsigned int negativ
     if (pass >= most_in_saddle && farthest_way(here) > farthest * cell_size)
       return false;
     const bool any_wrong = find_wrong(here, cell_size);
-    const bool with_friction = any_slips || by_threshold;
-    settled = !any_wrong || (dim == 3 && with_friction && repeats && worst < wrong_that_may_be * largest);
-    if (!settled)
-      change_sides(here, repeats ? share_of_worst : 0.);
-    if (!any_wrong)
+    if (any_wrong)
+      change_sides(repeats ? share_of_worst : 0.);
+    else
       settled = walls_stay(here);
     repeats = repeats || !seen.insert(sides()).second;
   }
@@ -305,16 +314,19 @@ bool FrameSystem<dim>::solve(const double cell_size, const unsigned int negative
   return settled;
 }
 
-template int FrameSystem<2>::number_unknowns();
-template int FrameSystem<3>::number_unknowns();
-template Eigen::VectorXd FrameSystem<2>::right_of_unknowns(int);
-template Eigen::VectorXd FrameSystem<3>::right_of_unknowns(int);
-template std::array<Eigen::VectorXd, 2> FrameSystem<2>::units_of_unknowns(int) const;
-template std::array<Eigen::VectorXd, 2> FrameSystem<3>::units_of_unknowns(int) const;
+template void FrameSystem<2>::number_unknowns();
+template void FrameSystem<3>::number_unknowns();
+template Eigen::VectorXd FrameSystem<2>::right_of_unknowns();
+template Eigen::VectorXd FrameSystem<3>::right_of_unknowns();
+template std::array<Eigen::VectorXd, 2> FrameSystem<2>::units_of_unknowns() const;
+template std::array<Eigen::VectorXd, 2> FrameSystem<3>::units_of_unknowns() const;
 template bool FrameSystem<2>::take_unknowns(const Eigen::VectorXd &);
 template bool FrameSystem<3>::take_unknowns(const Eigen::VectorXd &);
 template void FrameSystem<2>::add_effect(const Eigen::VectorXd &, Eigen::VectorXd &) const;
 template void FrameSystem<3>::add_effect(const Eigen::VectorXd &, Eigen::VectorXd &) const;
+template bool FrameSystem<3>::find_wrong(const Eigen::VectorXd &, double);
+template double FrameSystem<3>::farthest_way(const Eigen::VectorXd &) const;
+template bool FrameSystem<3>::walls_stay(const Eigen::VectorXd &);
 template bool FrameSystem<2>::solve(double, unsigned int);
 template bool FrameSystem<3>::solve(double, unsigned int);
 } // namespace softgrain::mpm

@@ -208,14 +208,18 @@ void FrameSystem<dim>::add_body(const unsigned int b)
 template <int dim>
 bool FrameSystem<dim>::solve_active()
 {
-  const int n = number_unknowns();
-  if (!factorize_active())
-    return false;
-  const Eigen::VectorXd b = right_of_unknowns(n);
+  number_unknowns();
+  return factorize_active() && solve_with_factors(true);
+}
+
+template <int dim>
+bool FrameSystem<dim>::solve_with_factors(const bool exactly)
+{
+  const Eigen::VectorXd b = right_of_unknowns();
   // What unknowns do, with friction that goes with them where it slips.
   const auto apply = [&](const Eigen::VectorXd &of_unknowns)
   {
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(columns.size()), result(n);
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(columns.size()), result(n_unknowns);
     for (unsigned int i = 0; i < columns.size(); ++i)
       if (number[i] >= 0)
         all[i] = of_unknowns[number[i]];
@@ -240,8 +244,10 @@ bool FrameSystem<dim>::solve_active()
     x += solve_nearly(b - apply(x));
     return take_unknowns(x);
   }
+  if (!exactly)
+    return take_unknowns(solve_nearly(b));
   // GMRES adds up squares: all equations become those of ways, and all unknowns too.
-  const std::array<Eigen::VectorXd, 2> units = units_of_unknowns(n);
+  const std::array<Eigen::VectorXd, 2> units = units_of_unknowns();
   const Eigen::VectorXd &of_rows = units[0], &of_columns = units[1], scaled = of_rows.cwiseProduct(b);
   const Product matrix{[&](const Eigen::VectorXd &y)
                        { return Eigen::VectorXd(of_rows.cwiseProduct(apply(of_columns.cwiseProduct(y)))); }};
@@ -267,6 +273,8 @@ bool FrameSystem<dim>::solve_active()
 
 template bool FrameSystem<2>::find_inertia();
 template bool FrameSystem<3>::find_inertia();
+template bool FrameSystem<3>::factorize_active();
 template bool FrameSystem<2>::solve_active();
 template bool FrameSystem<3>::solve_active();
+template bool FrameSystem<3>::solve_with_factors(bool);
 } // namespace softgrain::mpm

@@ -329,6 +329,12 @@ void FrameSystem<dim>::condense(const FrameScene<dim> &scene,
         if (!list.empty())
           list.push_back(w);
   z.setZero(gap.size());
+  at_hand.setZero(gap.size());
+  for (unsigned int i = 0; i < columns.size(); ++i)
+    if (columns[i].kind == Column::ray)
+      at_hand[i] = force[columns[i].frame][columns[i].ray_number];
+    else if (columns[i].kind == Column::slide)
+      at_hand[i] = columns[i].axis * rubbing[columns[i].frame][columns[i].ray_number];
   find_order();
   share.for_mine(
       bodies,

@@ -116,6 +116,11 @@ public:
 private:
   static constexpr unsigned int gmres_restart = 60, gmres_iterations = 200;
   static constexpr double gmres_tolerance = 1e-12;
+  static constexpr unsigned int most_passes = 40;
+  static constexpr double farthest = 5.; ///< gap or slide of a step that may be [cells]
+  /// Passes after which the inertia is found, where a solve does not tell it anyway.
+  static constexpr unsigned int passes_to_inertia = 4;
+  static_assert(most_passes % passes_to_inertia == 0, "the last pass tells the inertia of its set");
 
   using Across = dealii::Tensor<1, dim - 1>;
   struct Column
@@ -189,12 +194,14 @@ private:
   void find_order();
   /// Solves for the present sides of all conditions. @return whether there is a solution
   bool solve_active();
-  /// Numbers the unknowns in the order of the factors. @return how many there are
-  int number_unknowns();
-  /// Puts into z what is known, and gives what it leaves for the @p n unknowns.
-  Eigen::VectorXd right_of_unknowns(int n);
+  /// Solves with the factors at hand. @param exactly to rounding, not only as well as the factors do
+  bool solve_with_factors(bool exactly);
+  /// Numbers the unknowns in the order of the factors.
+  void number_unknowns();
+  /// Puts into z what is known, and gives what it leaves for the unknowns.
+  Eigen::VectorXd right_of_unknowns();
   /// Factors that make all equations those of ways, and all unknowns too, for GMRES: of rows, of columns.
-  std::array<Eigen::VectorXd, 2> units_of_unknowns(int n) const;
+  std::array<Eigen::VectorXd, 2> units_of_unknowns() const;
   /// Puts unknowns into z, and friction that goes with them. @return whether all are numbers
   bool take_unknowns(const Eigen::VectorXd &x);
   bool factorize_active();
@@ -232,6 +239,38 @@ private:
   bool walls_stay(const Eigen::VectorXd &here);
   /// Solves and changes sides until none is wrong. @return whether that came to an end
   bool settle(double cell_size, unsigned int negative_of_bodies);
+
+  // In space with friction, see frame_damped.cc:
+  /// Forces of all columns, and what is left of their gaps and slides without what friction that slips gives
+  /// way by.
+  struct Iterate
+  {
+    Eigen::VectorXd z, here;
+  };
+  /// What a ray would bear if its gap and its slide were taken back by its stiffness.
+  struct Trial
+  {
+    double force, most;   ///< the latter is the largest friction for the former
+    double along, across; ///< of its friction
+    double length;        ///< of its friction
+  };
+  Trial trial_of(unsigned int ray, const Iterate &at) const;
+  /// The square of what forces are off those that gaps and slides allow.
+  double square_off(const Iterate &at) const;
+  /// The forces at hand when the system was condensed, along present axes.
+  Iterate iterate_at_hand();
+  /// The iterate of z and of beyond().
+  Iterate iterate_of(Eigen::VectorXd here) const;
+  /// Puts all rays on the sides that belong to @p from.
+  void take_sides();
+  /// Goes from @p from towards @p to. @return the square that is off there
+  double go_damped(const Iterate &to, double before, bool all_the_way);
+  bool settle_damped(double cell_size, unsigned int negative_of_bodies);
+  /// Solves for the present sides, exactly only where no ray is wrong. @return whether there is a solution
+  bool solve_pass(double cell_size, Eigen::VectorXd &here, bool &any_wrong);
+  /// How far the equations of rays are off for the present sides, as a force.
+  double unsolved(const Eigen::VectorXd &here) const;
+  double forces_squared(const Eigen::VectorXd &of_columns) const;
   /// Settles with the exact law of dents, and where that does not end without the dents that soften.
   bool settle_with_dents(double cell_size, unsigned int negative_of_bodies);
   /// That a ray bears which sticks.
@@ -245,8 +284,7 @@ private:
   double off_direction(unsigned int i) const;
   /// Moves rays that are where they must not be to the other side, those that are wrong by at least @p share
   /// of the worst.
-  void change_sides(const Eigen::VectorXd &here, double share);
-  void change_slip(const Eigen::VectorXd &here, unsigned int i);
+  void change_sides(double share);
   /// The side of their conditions on which all columns are.
   std::vector<signed char> sides() const;
   /// 0 where the ray of a column that is a slide sticks, otherwise the sign of its friction. In space
@@ -274,6 +312,7 @@ private:
   /// motion of the frame, whose own entry may be 0; walls at the end.
   std::vector<unsigned int> order;
   std::vector<int> number; ///< of a column among the unknowns, -1 where it is none
+  int n_unknowns = 0;
 
   // Factors have a block for every frame.
   std::vector<int> block_of; ///< of every column
@@ -300,6 +339,9 @@ private:
   std::vector<char> active;                       ///< a slide where its ray is
   std::vector<std::vector<signed char>> slipping; ///< of all rays: sign of the friction, or 0
   Eigen::VectorXd z, wrong, right;
+  Eigen::VectorXd at_hand;                            ///< forces when the system was condensed
+  Iterate from;                                       ///< where a damped solve is
+  Eigen::VectorXd nearest;                            ///< and the forces of it that were least off so far
   std::vector<std::array<unsigned int, 2>> bodies_of; ///< of every frame, none where it is driven or a wall
   double worst = 0., largest = 0.;                    ///< of wrong, and of the forces of rays [N/m^(3-dim)]
   bool any_slides = false;
