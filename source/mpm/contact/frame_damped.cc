@@ -12,14 +12,14 @@ namespace softgrain::mpm
 namespace
 {
 /// The first sets follow from gaps alone: their solutions are taken whole.
-constexpr unsigned int undamped_passes = 2;
+constexpr unsigned int undamped_passes = 4;
 /// Passes in which a set may belong to no minimum: on the way most do.
 constexpr unsigned int most_in_saddle = 7;
 constexpr unsigned int most_halvings = 5;
 constexpr double share_less = 0.2; ///< of the square that is off, which a whole way takes away at least
 /// Sets of sides may change for ever where a ray hardly presses. What is no more off than by this share of
 /// all forces is taken when some passes have not halved it.
-constexpr double off_that_may_be = 1e-2;
+constexpr double off_that_may_be = 1e-4;
 constexpr unsigned int passes_to_halve = 3;
 constexpr double nearly_solved = 1e-6; ///< share of the largest force
 } // namespace
@@ -171,6 +171,7 @@ bool FrameSystem<dim>::settle_damped(const double cell_size, const unsigned int 
 {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   from = iterate_at_hand();
+  nearest = from.z;
   double off = square_off(from), least_share = infinite;
   unsigned int halved_at = 0;
   Eigen::VectorXd here;
