@@ -55,7 +55,8 @@ using RayFriction = std::vector<std::vector<dealii::Tensor<1, dim - 1>>>;
  * components stand along d and across it. Friction T is opposite to the slide s, so across d
  * s_2 = (s_1 / T_1) T_2. With s_1 and T_1 of the last iterate that is the row of a ray that sticks and gives
  * way by -s_1 / T_1 > 0. The next d is the direction of T - k s, with the stiffness k of the bodies. A ray
- * that begins to slip does so along its T, and gives way across it by (|T| / (mu' P) - 1) / k.
+ * that begins to slip does so along its T, and gives way across it by (|T| / (mu' P) - 1) / k. Sets
+ * of rays follow one another as in Newton's method for what is off, whose steps may be shortened.
  *
  * The dent that the grid misses falls again under larger forces. Where too many rays are pressed a contact is
  * stiffer than it really is, and the slope of that dent then makes its whole compliance negative: the active
