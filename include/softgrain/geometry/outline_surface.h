@@ -34,7 +34,7 @@ public:
   /// runs up to length(piece).
   Place at(unsigned int piece, double along) const;
 
-  /// The same at vertex @p m, where piece m begins.
+  /// The place of vertex @p m, where piece m begins.
   const Place &at_vertex(const unsigned int m) const { return places[m]; }
 
   /// Number of pieces, which is that of the vertices.
