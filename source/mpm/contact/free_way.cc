@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <softgrain/mpm/contact/free_way.h>
 
+#include <cmath>
+#include <limits>
+
 namespace softgrain::mpm
 {
 template <int dim>
@@ -26,6 +29,21 @@ FreeWay<dim>::FreeWay(const FreeWall<dim> &free,
   cell.emplace();
   cell->cell = *repeats;
   cell->add_side(free.normal, free.way);
+}
+
+template <int dim>
+FreeWay<dim> FreeWay<dim>::with_mass(const FreeWall<dim> &free,
+                                     const unsigned int slab,
+                                     const PeriodicCell<dim> *cell,
+                                     const double theta,
+                                     const double dt)
+{
+  const double begun = (1. - theta) * free.start_speed, stiffness = free.mass / (theta * dt * dt),
+               farthest = free.stop > 0. ? dt * (std::abs(begun) + theta * free.stop)
+                                         : std::numeric_limits<double>::max();
+  FreeWay way(free, slab, cell, 0., stiffness * dt * (begun + theta * free.free_speed), farthest, stiffness);
+  way.at = dt * free.start_speed;
+  return way;
 }
 
 template <int dim>

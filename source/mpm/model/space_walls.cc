@@ -28,18 +28,26 @@ WallMotion<3> motion_of(Wall<3> wall, const double time, const double dt)
   return motion;
 }
 
-/// A wall under a load in a step of @p dt, in which an area of @p area bears its pressure. A light one that
-/// nothing bears would fly through all of the box: a step in which it has gone as far as the settings allow
-/// is made in shorter ones.
-WallWithMass
-with_mass(Wall<3> wall, const double area, const double time, const double dt, const Settings &settings)
+/// Wall @p w under a load in a step of @p dt, in which an area of @p area bears its pressure. A light one
+/// that nothing bears would fly through all of the box: a step in which it has gone as far as the settings
+/// allow is made in shorter ones.
+WallWithMass with_mass(Wall<3> wall,
+                       const unsigned int w,
+                       const double area,
+                       const double time,
+                       const double dt,
+                       const Settings &settings)
 {
   put_pressure(wall, demand_of(wall, time, dt).pressure, area);
-  WallWithMass free{wall.free.across, free_wall_step(wall, dt, settings.scheme.theta), wall.speed};
-  const double most = settings.wall_motion * settings.cell_size / dt;
-  if (std::abs(free.step.free_speed) > most)
-    free.stop = std::max(most, 2. * std::abs(free.speed));
-  return free;
+  const FreeWallStep step = free_wall_step(wall, dt, settings.scheme.theta);
+  FreeWall<3> free;
+  free.wall = w;
+  free.normal = free.way = wall.normal();
+  free.mass = step.mass;
+  free.free_speed = step.free_speed;
+  free.start_speed = wall.speed;
+  free.stop_flight(settings.wall_motion * settings.cell_size / dt);
+  return {free, wall.free.across};
 }
 
 /// The pressure on a wall under a load at the end of a step [Pa].
@@ -89,7 +97,7 @@ SpaceMotion SpaceModel::motion(const double dt) const
     const std::vector<WallMotion<3>> now = walls_now(motion, state.loaded);
     for (std::size_t w = 0; w < driven.size(); ++w)
       motion.free.push_back(motion.pressure[w]
-                                ? with_mass(driven[w], pressed_area(now, w), state.time, dt, settings)
+                                ? with_mass(driven[w], w, pressed_area(now, w), state.time, dt, settings)
                                 : WallWithMass());
   }
   for (const Obstacle<3> &obstacle : state.obstacles)

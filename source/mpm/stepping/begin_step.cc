@@ -29,9 +29,7 @@ std::vector<WallMotion<2>> wall_motion(State &state, Workspace &work, const Step
   }
   for (const FreeWall<2> &free : work.contact.free_walls.list)
     if (!free.slides() || free.is_side())
-      motion[free.wall].fastest = std::max(
-          motion[free.wall].fastest,
-          free.stop > 0. ? free.stop : std::max(std::abs(free.start_speed), std::abs(free.free_speed)));
+      motion[free.wall].fastest = std::max(motion[free.wall].fastest, free.fastest());
   drive_slabs(state, motion, work);
   return motion;
 }

@@ -15,11 +15,6 @@
 
 namespace softgrain::mpm
 {
-namespace
-{
-constexpr double nearly_at_stop = 0.9; ///< speed over that of a wall that is stopped
-} // namespace
-
 MovingStep::MovingStep(SpaceState &state,
                        const SpaceScene &space,
                        SpaceMotion &motion,
@@ -38,10 +33,13 @@ std::string MovingStep::find()
   if (std::string trouble = find_ways(); !trouble.empty())
     return trouble;
   for (unsigned int i = 0; i < pressed.size(); ++i)
-    if (const WallWithMass &wall = motion.free[pressed[i]];
-        wall.stop > 0. && std::abs(speed_at_end(i)) > nearly_at_stop * wall.stop)
+  {
+    FreeWall<3> &wall = motion.free[pressed[i]].wall;
+    wall.speed = wall.speed_after(system.ways[i].at, world.settings.scheme.theta, plan.dt);
+    if (wall.at_stop())
       return "a wall under a load would go further than " + short_number(world.settings.wall_motion) +
              " cells";
+  }
   heed_laws(world.bodies, moving.stress_outcome(), outcome);
   if (outcome.law_asks)
     return outcome.reason;
@@ -137,26 +135,20 @@ void MovingStep::accept_motion(SpaceState &state)
   }
 }
 
-double MovingStep::speed_at_end(const unsigned int i) const
-{
-  const double theta = world.settings.scheme.theta;
-  return (system.ways[i].at / plan.dt - (1. - theta) * motion.free[pressed[i]].speed) / theta;
-}
-
 /// As contact gives the bodies what their nodes have of the way of a wall, loads give a wall what it has.
 void MovingStep::account_pressures(SpaceState &state) const
 {
   const TimeScheme &scheme = world.settings.scheme;
   for (unsigned int i = 0; i < pressed.size(); ++i)
   {
-    const WallWithMass &wall = motion.free[pressed[i]];
+    const auto &[wall, load] = motion.free[pressed[i]];
     LoadedWall &loaded = state.loaded[pressed[i]];
     const double gone = system.ways[i].at;
-    loaded.speed = speed_at_end(i);
+    loaded.speed = wall.speed;
     loaded.way += gone;
-    loaded.work += gone * wall.load.force;
-    state.motion.wall_damping += wall.load.damping * gone * gone / plan.dt;
-    state.motion.scheme_damping += scheme.loss_of_wall(wall.load.mass, loaded.speed - wall.speed);
+    loaded.work += gone * load.force;
+    state.motion.wall_damping += load.damping * gone * gone / plan.dt;
+    state.motion.scheme_damping += scheme.loss_of_wall(load.mass, wall.speed - wall.start_speed);
   }
 }
 

@@ -31,9 +31,8 @@ void resist(
 /// made in shorter ones.
 void stop_flight(const Problem &problem, const double dt, FreeWall<2> &free)
 {
-  const double most = problem.settings.wall_motion * problem.lattice->cell_size() / dt;
-  if (problem.settings.scheme.solves_equations() && std::abs(free.free_speed) > most)
-    free.stop = std::max(most, 2. * std::abs(free.start_speed));
+  if (problem.settings.scheme.solves_equations())
+    free.stop_flight(problem.settings.wall_motion * problem.lattice->cell_size() / dt);
 }
 
 /// A wall of the step that is free in a direction.
@@ -162,16 +161,14 @@ std::string least_balanced_wall(const Problem &problem, const State &state)
 bool walls_are_on_their_way(const Workspace &work)
 {
   const auto &list = work.contact.free_walls.list;
-  return std::any_of(list.begin(), list.end(),
-                     [](const FreeWall<2> &free)
-                     { return free.stop > 0. && std::abs(free.speed) > 0.9 * free.stop; });
+  return std::any_of(list.begin(), list.end(), [](const FreeWall<2> &free) { return free.at_stop(); });
 }
 
 double slid_on_their_way(const Workspace &work, const double dt)
 {
   double way = 0.;
   for (const FreeWall<2> &free : work.contact.free_walls.list)
-    if (free.slides() && std::abs(free.speed) > 0.9 * free.stop)
+    if (free.slides() && free.at_stop())
       way = std::max(way, dt * std::abs(free.speed));
   return way;
 }

@@ -88,7 +88,7 @@ void RayStep::move_free_walls()
 {
   std::vector<FreeWall<2>> &list = work.contact.free_walls.list;
   for (unsigned int w = 0; w < list.size(); ++w)
-    list[w].speed = (system.ways[w].at / plan.dt - (1. - theta) * list[w].start_speed) / theta;
+    list[w].speed = list[w].speed_after(system.ways[w].at, theta, plan.dt);
   if (list.empty())
     return;
   settle_free_walls(problem, state, work, motion);
@@ -105,13 +105,7 @@ void RayStep::find_free_walls()
     const PeriodicCell<2> *const side = free.is_side() ? repeats : nullptr;
     if (inertia)
     {
-      const double dt = plan.dt, begun = (1. - theta) * free.start_speed,
-                   stiffness = free.mass / (theta * dt * dt),
-                   farthest = free.stop > 0. ? dt * (std::abs(begun) + theta * free.stop)
-                                             : std::numeric_limits<double>::max();
-      system.ways.emplace_back(free, free.slab, side, 0., stiffness * dt * (begun + theta * free.free_speed),
-                               farthest, stiffness);
-      system.ways.back().at = dt * free.start_speed;
+      system.ways.push_back(FreeWay<2>::with_mass(free, free.slab, side, theta, plan.dt));
       continue;
     }
     const double load = load_on(wall, freedom_of(free)).force, net = load + wall.book.force * free.way;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace softgrain::mpm
@@ -49,8 +48,8 @@ SpaceRayStep::SpaceRayStep(SpaceState &state,
   for (unsigned int w = 0; w < motion.free.size(); ++w)
     if (motion.pressure[w])
     {
-      motion.walls[w].velocity = motion.free[w].speed;
-      way_of_free_walls = std::max(way_of_free_walls, plan.dt * motion.free[w].fastest());
+      motion.walls[w].velocity = motion.free[w].wall.start_speed;
+      way_of_free_walls = std::max(way_of_free_walls, plan.dt * motion.free[w].wall.fastest());
     }
   scene.reach += 2. * way_of_free_walls;
   take_bodies_along();
@@ -74,15 +73,15 @@ void SpaceRayStep::find_free_walls()
   for (unsigned int w = 0; w < motion.walls.size(); ++w)
     if (motion.pressure[w])
     {
-      FreeWall<3> free;
-      free.wall = w;
-      free.normal = free.way = motion.walls[w].normal;
       pressed.push_back(w);
       if (inertia)
       {
-        add_with_mass(free, motion.free[w]);
+        system.ways.push_back(FreeWay<3>::with_mass(motion.free[w].wall, none, nullptr, theta, plan.dt));
         continue;
       }
+      FreeWall<3> free;
+      free.wall = w;
+      free.normal = free.way = motion.walls[w].normal;
       const double area = pressed_area(end, w), load = *motion.pressure[w] * area,
                    net = load - wall_force[w] * free.normal;
       const PeriodicCell<3> *const side = motion.walls[w].plane ? nullptr : &cell->cell;
@@ -90,18 +89,6 @@ void SpaceRayStep::find_free_walls()
                                world.settings.wall_motion * h,
                                10. * world.settings.regularisation * young * std::sqrt(area));
     }
-}
-
-/// A spring that stands for the mass of a wall, and for its damping, resists its way.
-void SpaceRayStep::add_with_mass(const FreeWall<3> &free, const WallWithMass &wall)
-{
-  const double dt = plan.dt, begun = (1. - theta) * wall.speed,
-               stiffness = wall.step.mass / (theta * dt * dt),
-               farthest = wall.stop > 0. ? dt * (std::abs(begun) + theta * wall.stop)
-                                         : std::numeric_limits<double>::max();
-  system.ways.emplace_back(free, none, nullptr, 0., stiffness * dt * (begun + theta * wall.step.free_speed),
-                           farthest, stiffness);
-  system.ways.back().at = dt * wall.speed;
 }
 
 void SpaceRayStep::move_free_walls()

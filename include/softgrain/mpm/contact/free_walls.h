@@ -7,6 +7,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -31,6 +32,22 @@ struct FreeWall
   bool is_side() const { return length > 0.; } ///< of a cell
   /// Whether it is free along the tangent.
   bool slides() const { return std::abs(way * normal) < 0.5; }
+
+  /// Gives a light wall that nothing bears a stop: @p most [m/s], or twice as fast as it is already.
+  void stop_flight(const double most)
+  {
+    if (std::abs(free_speed) > most)
+      stop = std::max(most, 2. * std::abs(start_speed));
+  }
+  /// Whether its speed is nearly that at which it is stopped.
+  bool at_stop() const { return stop > 0. && std::abs(speed) > 0.9 * stop; }
+  /// Largest speed that it may come to have, either way [m/s].
+  double fastest() const { return stop > 0. ? stop : std::max(std::abs(start_speed), std::abs(free_speed)); }
+  /// Its speed at the end of a step of @p dt over which it goes @p gone [m/s].
+  double speed_after(const double gone, const double theta, const double dt) const
+  {
+    return (gone / dt - (1. - theta) * start_speed) / theta;
+  }
 };
 
 /**

@@ -38,6 +38,10 @@ struct FreeWay
           double limit,
           double stiffness);
 
+  /// With inertia: a spring stands for the mass of a wall, and it sets out with the speed that it has.
+  static FreeWay with_mass(
+      const FreeWall<dim> &free, unsigned int slab, const PeriodicCell<dim> *cell, double theta, double dt);
+
   /// Ways of the partner, or the wall, and of the body of a frame per unit of the way.
   std::array<Vector, 2> moves(const FrameScene<dim> &scene, const FrameState<dim> &frame) const;
 

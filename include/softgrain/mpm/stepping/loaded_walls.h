@@ -4,13 +4,12 @@
 
 #include <softgrain/driving/cell_motion.h>
 #include <softgrain/driving/obstacle.h>
-#include <softgrain/driving/wall.h>
+#include <softgrain/driving/wall_parts.h>
 #include <softgrain/driving/wall_step.h>
+#include <softgrain/mpm/contact/free_walls.h>
 #include <softgrain/mpm/contact/wall_motion.h>
 #include <softgrain/mpm/stepping/wall_imbalance.h>
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,13 +19,8 @@ namespace softgrain::mpm
 /// A wall under a load that has a mass, as it begins a step.
 struct WallWithMass
 {
-  WallLoad load;     ///< in the middle of the step
-  FreeWallStep step; ///< with no more than the load
-  double speed = 0.; ///< along its normal [m/s]
-  double stop = 0.;  ///< largest speed at the end, either way; 0: any [m/s]
-
-  /// Largest speed, either way, that rays look for [m/s].
-  double fastest() const { return stop > 0. ? stop : std::max(std::abs(speed), std::abs(step.free_speed)); }
+  FreeWall<3> wall;
+  WallLoad load; ///< in the middle of the step
 };
 
 /// What is told how to move in a step in space, and which walls are under loads.

@@ -37,8 +37,6 @@ protected:
   virtual std::array<double, 2> end(const Body<3> &body) = 0;
 
 private:
-  /// Speed of the wall under a load with unknown @p i at the end of the step [m/s].
-  double speed_at_end(unsigned int i) const;
   void account_pressures(SpaceState &state) const;
   void note_contact_work();
   std::string why_contact_gives() const;

@@ -81,7 +81,6 @@ private:
   /// Takes over how walls that are sides of a cell move: it takes the bodies along.
   void take_bodies_along();
   void find_free_walls() override;
-  void add_with_mass(const FreeWall<3> &free, const WallWithMass &wall);
   void move_free_walls() override;
   double other_way() const override { return std::max(way_of_obstacles, way_of_free_walls); }
   std::string partner_of(const ContactFrame<3> &frame) const override;
