@@ -9,7 +9,7 @@ COARSE = ("Packing/Number=3", "Packing/Packing fraction=0.12", "Packing/Upper=22
           "Output/Fields every=0.03", "Output/Field parts=outlines")
 REFUSED = {
     "Quasi-static/Regularisation=1e-3": "'Quasi-static/Regularisation' = '1e-3'",
-    "Walls/bottom/Drive=pressure": "'Walls/bottom/Drive' = 'pressure'",
+    "Walls/bottom/Drive=mean_pressure": "'Walls/bottom/Drive' = 'mean_pressure'",
     "Time/Scheme=explicit": "'Time/Scheme' = 'explicit'",
 }
 

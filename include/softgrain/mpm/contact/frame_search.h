@@ -114,11 +114,11 @@ double same_gap(const FrameScene<dim> &scene)
 }
 
 /// How far sides go on straight beyond their ends for the corners of others [m]: where two corners pass by
-/// each other, each meets the side of the other while they do.
+/// each other at rest, each meets the side of the other while they do. Bodies that move pass in any case.
 template <int dim>
 double past_ends(const FrameScene<dim> &scene)
 {
-  return 0.02 * scene.cell_size;
+  return scene.instants.inertia() ? 0. : 0.02 * scene.cell_size;
 }
 
 /// The way of a wall over the step; an obstacle and a body, whose number is none, have no such way [m].

@@ -43,7 +43,7 @@ struct FreeWall
   bool at_stop() const { return stop > 0. && std::abs(speed) > 0.9 * stop; }
   /// Largest speed that it may come to have, either way [m/s].
   double fastest() const { return stop > 0. ? stop : std::max(std::abs(start_speed), std::abs(free_speed)); }
-  /// Its speed at the end of a step of @p dt over which it goes @p gone [m/s].
+  /// Speed at the end of a step of @p dt over which it goes @p gone [m/s].
   double speed_after(const double gone, const double theta, const double dt) const
   {
     return (gone / dt - (1. - theta) * start_speed) / theta;

@@ -38,7 +38,7 @@ struct FreeWay
           double limit,
           double stiffness);
 
-  /// With inertia: a spring stands for the mass of a wall, and it sets out with the speed that it has.
+  /// A wall with inertia: a spring stands for its mass, and it sets out with the speed that it has.
   static FreeWay with_mass(
       const FreeWall<dim> &free, unsigned int slab, const PeriodicCell<dim> *cell, double theta, double dt);
 
