@@ -135,7 +135,7 @@ void MovingStep::accept_motion(SpaceState &state)
   }
 }
 
-/// As contact gives the bodies what their nodes have of the way of a wall, loads give a wall what it has.
+/// Books the ways of walls under loads, the work of the loads, and what dampers and the scheme take of it.
 void MovingStep::account_pressures(SpaceState &state) const
 {
   const TimeScheme &scheme = world.settings.scheme;
