@@ -88,7 +88,7 @@ void same_bits(const std::string &what, const Changes &changes)
 void images()
 {
   // Balance is found so exactly that what is left tells no image from another.
-  const Changes exact = and_more(metal(1.), {"Newton/Residual tolerance=1e-9"});
+  const Changes exact = and_more(metal(1.), {"Newton/Residual tolerance=1e-8"});
   const Outcome pressed = two_balls(exact);
   std::cout << "balance within 1e-3 " << (pressed.left_over < 1e-3) << ", bottom and top off by "
             << below(1e-3, pressed.forces[0] / pressed.forces[1] - 1.) << ", energy off by "
