@@ -11,6 +11,14 @@
 
 namespace softgrain::mpm
 {
+namespace
+{
+/// Over the largest force, of one that is none. Where a body yields to another that comes nearer, their force
+/// falls in each held step, until it is what rounding leaves of forces between 1e-16 and 1e-20 of the
+/// largest.
+constexpr double no_force = 1e-12;
+} // namespace
+
 template <int dim>
 RayEquations<dim>::RayEquations(const RayWorld<dim> &world,
                                 const StepPlan &plan,
@@ -234,6 +242,29 @@ void RayEquations<dim>::measure()
   for (const FreeWay<dim> &free : system.ways)
     scale = std::max(scale, std::abs(free.load));
   residual = std::max({worst, wrong_friction, unbalanced_free_walls()}) / scale;
+}
+
+template <int dim>
+std::vector<ContactFrame<dim>> RayEquations<dim>::frames_after() const
+{
+  double largest = 0.;
+  for (const std::vector<double> &of_frame : force)
+    for (const double of_ray : of_frame)
+      largest = std::max(largest, std::abs(of_ray));
+  std::vector<ContactFrame<dim>> result;
+  for (unsigned int f = 0; f < frames.size(); ++f)
+  {
+    std::vector<double> normal = force[f];
+    std::vector<Across> friction = rubbing[f];
+    for (unsigned int k = 0; k < normal.size(); ++k)
+      if (std::abs(normal[k]) <= no_force * largest)
+      {
+        normal[k] = 0.;
+        friction[k] = Across();
+      }
+    result.push_back(frames[f].after(scene, normal, friction));
+  }
+  return result;
 }
 
 template <int dim>

@@ -186,10 +186,7 @@ void RayStep::note_rays(FoundStep &found, State &state_to_change) const
       if (const unsigned int b = frames[f].unknown(side); b != FrameState<2>::none)
         state_to_change.held_back[b] += FrameAdhesion<2>(frames[f]).pull_to_come(scene);
   }
-  std::vector<ContactFrame<2>> &kept = state_to_change.frames;
-  kept.clear();
-  for (unsigned int f = 0; f < frames.size(); ++f)
-    kept.push_back(frames[f].after(scene, force[f], rubbing[f]));
+  state_to_change.frames = frames_after();
 }
 
 void RayStep::accept(State &state_to_change)

@@ -220,7 +220,6 @@ void SpaceRayStep::accept_ways(SpaceState &state)
 {
   for (const Eigen::VectorXd &of_body : way)
     outcome.largest_move = std::max(outcome.largest_move, of_body.lpNorm<Eigen::Infinity>());
-  std::vector<ContactFrame<3>> kept;
   for (unsigned int o = 0; o < state.obstacles.size(); ++o)
   {
     state.obstacles[o].way = motion.obstacles[o];
@@ -229,11 +228,8 @@ void SpaceRayStep::accept_ways(SpaceState &state)
   state.contacts.clear();
   state.wall_force.assign(world.motion.size(), dealii::Tensor<1, 3>());
   for (unsigned int f = 0; f < frames.size(); ++f)
-  {
     add_contacts(f, state);
-    kept.push_back(frames[f].after(scene, force[f], rubbing[f]));
-  }
-  state.frames = std::move(kept);
+  state.frames = frames_after();
   load_sides_of_cell(state);
   move_bodies(state);
 }

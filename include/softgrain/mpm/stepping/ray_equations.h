@@ -86,6 +86,9 @@ protected:
   void measure();
   /// What rays do to the nodes of a body [N/m^(3-dim)].
   Eigen::VectorXd contact_forces(unsigned int b) const;
+  /// The frames as the step leaves them. A force that is rounding of the largest is none: which frames last,
+  /// and how, hangs on which rays are pressed.
+  std::vector<ContactFrame<dim>> frames_after() const;
   /// Whether what is unbalanced is what forces round by: nothing smaller is found, whatever is asked for.
   bool at_rounding() const;
   /// Newton's matrix of every body.
