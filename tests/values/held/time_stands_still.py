@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
-A scene that cannot go on: steps become shorter and shorter, bodies faster than sound. The run ends while steps still move the
-time, with one line that names a body and its place, and the state is saved.
+A scene that cannot go on: bodies grow between walls that stay, and steps become shorter and shorter. The run ends while steps
+still move the time, with one line that names a body and its place, and the state is saved.
 """
 
 
