@@ -54,10 +54,13 @@ def processor_seconds():
 
 
 def foretold(program, scene, settings):
+    """What check foretells; None where it says that it does not know how long the run goes on."""
     begin = time.monotonic()
     before = processor_seconds()
     text = subprocess.run([program, "check", scene, *settings], capture_output=True, text=True, check=True).stdout
     lines = dict(re.split(r"\s{2,}", line.strip(), maxsplit=1) for line in text.splitlines() if line.startswith("  "))
+    if lines["simulated time"].startswith("unknown"):
+        return None
     return {"steps": number(lines["steps"]), "seconds": number(lines["processor time"]), "bytes": number(lines["memory"]),
             "points": number(lines.get("material points", lines.get("primaries"))),
             "check": processor_seconds() - before, "wall": time.monotonic() - begin}
@@ -100,6 +103,8 @@ def main():
             continue  # what a scene in space costs is not foretold
         settings = [word for setting in SHORTER.get(name, []) for word in ("--set", setting)]
         before = foretold(words.program, path, settings)
+        if before is None:
+            continue
         try:
             after = taken(words.program, path, settings, words.folder / name.replace("/", "_"))
         except RunFailed as error:

@@ -48,11 +48,13 @@ bool has_f_bar(const Settings &settings,
                      { return settings.averages_dilatations(laws[body.material]->poisson_ratio()); });
 }
 
-/// Whether matter of one of the bodies remembers what it went through.
-bool remembers(const std::vector<std::shared_ptr<const constitutive::Law<2>>> &laws, const Crowd &crowd)
+/// Whether matter of one of the bodies flows: it remembers what it went through, and not how far it has
+/// grown.
+bool flows(const std::vector<std::shared_ptr<const constitutive::Law<2>>> &laws, const Crowd &crowd)
 {
   return std::any_of(crowd.groups.begin(), crowd.groups.end(),
-                     [&laws](const BodyGroup &body) { return laws[body.material]->n_history() > 0; });
+                     [&laws](const BodyGroup &body)
+                     { return laws[body.material]->n_history() > 0 && !laws[body.material]->is_active(); });
 }
 
 /// Iterations of Newton's method in a step.
@@ -269,7 +271,7 @@ Forecast forecast(const Scene<2> &scene,
                     (settings.follows_contact() && result.step > resolves_waves_to * cfl);
   const bool f_bar = has_f_bar(settings, laws, run.crowd);
   double iterations = n_iterations(settings, run, result.step, cfl);
-  if (slow && f_bar && remembers(laws, run.crowd))
+  if (slow && f_bar && flows(laws, run.crowd))
     iterations *= settings.meets_by_rays() ? fitted::rays_f_bar_factor : fitted::f_bar_factor;
   double of_point = BodyCost::point_seconds + (run.crowd.n_bodies() > 1.5 ? BodyCost::contact_seconds : 0.);
   if (f_bar)
