@@ -17,10 +17,12 @@ constexpr unsigned int undamped_passes = 4;
 constexpr unsigned int most_in_saddle = 7;
 constexpr unsigned int most_halvings = 5;
 constexpr double share_less = 0.2; ///< of the square that is off, which a whole way takes away at least
-/// Sets of sides may change for ever where a ray hardly presses. What is no more off than by this share of
-/// all forces is taken when some passes have not halved it.
-constexpr double off_that_may_be = 1e-4;
-constexpr unsigned int passes_to_halve = 3;
+constexpr unsigned int passes_to_halve = 3; ///< what is off, until sets are taken to change for ever
+/// What is off by less is off at a few rays that find no side: they keep their friction.
+constexpr double few_are_off = 1e-2;
+/// Passes after which directions are right, too. Elsewhere the next iteration of a step makes them right, but
+/// with rays that keep their friction each begins alike.
+constexpr unsigned int passes_to_turn = 2;
 constexpr double nearly_solved = 1e-6; ///< share of the largest force
 } // namespace
 
@@ -50,7 +52,7 @@ double FrameSystem<dim>::square_off(const Iterate &at) const
       const Trial trial = trial_of(i, at);
       sum += square(at.z[i] + columns[i].pull - trial.force);
       const unsigned int slide = columns[i].mate;
-      if (slide == Column::none)
+      if (slide == Column::none || columns[slide].keeps)
         continue;
       const double share = trial.length > trial.most ? trial.most / trial.length : 1.;
       sum += square(at.z[slide] - share * trial.along) + square(at.z[slide + 1] - share * trial.across);
@@ -70,7 +72,7 @@ void FrameSystem<dim>::take_sides()
       if (slide == Column::none)
         continue;
       active[slide] = active[slide + 1] = active[i];
-      if (!active[i])
+      if (!active[i] || columns[slide].keeps)
         continue;
       signed char &slip = slipping[columns[i].frame][columns[i].ray_number];
       slip = trial.length > trial.most;
@@ -162,29 +164,71 @@ bool FrameSystem<dim>::solve_pass(const double cell_size, Eigen::VectorXd &here,
   return true;
 }
 
+template <int dim>
+void FrameSystem<dim>::begin_damped()
+{
+  for (Column &column : columns)
+    column.keeps = false;
+  kept.clear();
+  kept_off = 0.;
+  from = iterate_at_hand();
+  nearest = from.z;
+}
+
+template <int dim>
+void FrameSystem<dim>::keep_friction(const double off)
+{
+  for (unsigned int i = 0; i < columns.size(); ++i)
+  {
+    const unsigned int slide = columns[i].kind == Column::slide ? i : columns[i].mate;
+    if (wrong[i] == 0. || slide == Column::none || columns[slide].keeps)
+      continue;
+    const unsigned int ray = columns[slide].mate;
+    const double friction = std::hypot(nearest[slide], nearest[slide + 1]),
+                 most = columns[slide].bound * std::max(0., nearest[ray] + columns[ray].pull);
+    for (unsigned int m = 0; m < 2; ++m)
+    {
+      columns[slide + m].keeps = true;
+      columns[slide + m].kept = nearest[slide + m] * (friction > most ? most / friction : 1.);
+    }
+    slipping[columns[i].frame][columns[i].ray_number] = 0;
+    kept.emplace_back(columns[i].frame, columns[i].ray_number);
+    kept_off = std::max(kept_off, off);
+  }
+}
+
 /// Forces that are off where their conditions bend: P = max(0, P - k g), and friction T is the one nearest to
 /// T - k s that the force allows. A solution for given sides is a step of Newton's method for these
 /// equations, and what is off along the way to it follows without further products with W. A whole step may
 /// make worse what it is to end.
+///
+/// Rays are about as dense as the shapes of a field. So friction that goes with the force of one ray may lift
+/// the surface there more than the force presses it down, and the ray is right neither open nor closed; or it
+/// neither sticks nor slips. When a few such rays are left, they keep the friction of the forces that were
+/// least off, and the next iteration of the step begins with it.
 template <int dim>
 bool FrameSystem<dim>::settle_damped(const double cell_size, const unsigned int negative_of_bodies)
 {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  from = iterate_at_hand();
-  nearest = from.z;
+  begin_damped();
   double off = square_off(from), least_share = infinite;
-  unsigned int halved_at = 0;
+  unsigned int halved_at = 0, n_right = 0;
   Eigen::VectorXd here;
   for (unsigned int pass = 0; pass < most_passes; ++pass)
   {
     ++passes;
-    wants_inertia = (pass + 1) % passes_to_inertia == 0;
+    const bool looks = pass == 0 && looks_at_start;
+    wants_inertia = looks || (pass + 1) % passes_to_inertia == 0;
     bool any_wrong = false;
-    if (!solve_pass(cell_size, here, any_wrong) ||
-        (pass >= most_in_saddle && ((knows_inertia && wrong_inertia(negative_of_bodies) != 0) ||
-                                    farthest_way(here) > farthest * cell_size)))
+    if (!solve_pass(cell_size, here, any_wrong))
       return false;
-    if (!any_wrong && walls_stay(here))
+    if (looks)
+      began_in_minimum = began_in_minimum || wrong_inertia(negative_of_bodies) == 0;
+    if (pass >= most_in_saddle && ((knows_inertia && wrong_inertia(negative_of_bodies) != 0) ||
+                                   farthest_way(here) > farthest * cell_size))
+      return false;
+    n_right = any_wrong ? 0 : n_right + 1;
+    if (!any_wrong && walls_stay(here) && (kept.empty() || n_right > passes_to_turn))
       return find_inertia();
     off = go_damped(iterate_of(here), off, !any_wrong || pass < undamped_passes);
     const double share = std::sqrt(off / forces_squared(from.z));
@@ -197,10 +241,11 @@ bool FrameSystem<dim>::settle_damped(const double cell_size, const unsigned int 
       least_share = share;
       nearest = from.z;
     }
-    if (any_wrong && least_share < off_that_may_be && pass >= halved_at + passes_to_halve)
+    if (any_wrong && pass >= halved_at + passes_to_halve && least_share < few_are_off)
     {
-      z = nearest;
-      return find_inertia();
+      keep_friction(least_share);
+      off = square_off(from);
+      halved_at = pass;
     }
     take_sides();
   }

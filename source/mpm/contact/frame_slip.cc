@@ -30,7 +30,7 @@ void FrameSystem<dim>::note_friction(const unsigned int i)
   for (unsigned int m = 0; m < dim - 1; ++m)
     z[i + m] = friction * columns[i + m].axis_of_v;
   // Across its old direction it has grown beyond its bound.
-  if (dim == 3 && friction.norm() > 0.)
+  if (dim == 3 && friction.norm() > 0. && !columns[i].keeps)
     friction *= std::min(1., most_friction(i) / friction.norm());
   found_rubbing[columns[i].frame][columns[i].ray_number] = friction;
 }

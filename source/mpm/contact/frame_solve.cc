@@ -101,7 +101,9 @@ bool FrameSystem<dim>::set_known()
   {
     const bool bounded = by_threshold && active[i] && slips(i) != 0,
                stopped = columns[i].kind == Column::wall && ways[i].stopped != 0;
-    if (bounded)
+    if (columns[i].keeps)
+      z[i] = columns[i].kept;
+    else if (bounded)
       z[i] = slips(i) * columns[i].threshold;
     // What adhesion adds to the friction that slips, and all that it leaves to a ray that opens.
     else if (active[i] && slips(i) != 0)
@@ -164,7 +166,7 @@ bool FrameSystem<dim>::find_wrong(const Eigen::VectorXd &here, const double cell
     double amount = 0., allowed = 1e-10 * cell_size * columns[i].stiffness;
     if (columns[i].kind == Column::ray)
       amount = active[i] ? -(z[i] + columns[i].pull) : -as_force;
-    else if (columns[i].kind == Column::slide && columns[i].component == 0 && active[i])
+    else if (columns[i].kind == Column::slide && columns[i].component == 0 && active[i] && !columns[i].keeps)
       amount = sticks ? found_friction(i).norm() - most_friction(i)
                       : std::max(slips(i) * as_force, off_direction(i));
     if (active[i] && sticks)
@@ -288,8 +290,11 @@ bool FrameSystem<dim>::settle_with_dents(const double cell_size, const unsigned 
 }
 
 template <int dim>
-bool FrameSystem<dim>::solve(const double cell_size, const unsigned int negative_of_bodies)
+bool FrameSystem<dim>::solve(const double cell_size, const unsigned int negative_of_bodies, const bool begins)
 {
+  looks_at_start = begins;
+  kept.clear();
+  kept_off = 0.;
   right = -Eigen::Map<const Eigen::VectorXd>(gap.data(), gap.size());
   for (unsigned int b = 0; b < of_body.size(); ++b)
     for (unsigned int i = 0; i < of_body[b].size(); ++i)
@@ -301,6 +306,7 @@ bool FrameSystem<dim>::solve(const double cell_size, const unsigned int negative
     // Friction that is bounded by the forces of the last iterate instead of these is a minimum, whose sets
     // settle.
     by_threshold = true;
+    looks_at_start = false;
     settled = settle(cell_size, negative_of_bodies);
   }
   found_ways.resize(ways.size());
@@ -309,7 +315,7 @@ bool FrameSystem<dim>::solve(const double cell_size, const unsigned int negative
   for (unsigned int i = 0; i < columns.size(); ++i)
     if (columns[i].kind == Column::ray)
       found[columns[i].frame][columns[i].ray_number] = std::max(-columns[i].pull, z[i]);
-    else if (columns[i].kind == Column::slide && columns[i].component == 0 && active[i])
+    else if (columns[i].kind == Column::slide && columns[i].component == 0 && (active[i] || columns[i].keeps))
       note_friction(i);
   return settled;
 }
@@ -327,6 +333,6 @@ template void FrameSystem<3>::add_effect(const Eigen::VectorXd &, Eigen::VectorX
 template bool FrameSystem<3>::find_wrong(const Eigen::VectorXd &, double);
 template double FrameSystem<3>::farthest_way(const Eigen::VectorXd &) const;
 template bool FrameSystem<3>::walls_stay(const Eigen::VectorXd &);
-template bool FrameSystem<2>::solve(double, unsigned int);
-template bool FrameSystem<3>::solve(double, unsigned int);
+template bool FrameSystem<2>::solve(double, unsigned int, bool);
+template bool FrameSystem<3>::solve(double, unsigned int, bool);
 } // namespace softgrain::mpm

@@ -175,6 +175,10 @@ void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
                                 ? sign_of(rubbing[f][k])
                                 : 0);
   const unsigned int first = columns.size();
+  // Sets with friction are sought from what presses: walls that have moved overlap more than will be pressed.
+  const bool from_pressed =
+      dim == 3 && conditions.friction_coefficient() > 0. &&
+      std::any_of(force[f].begin(), force[f].end(), [](const double of_ray) { return of_ray > 0.; });
   for (unsigned int k = 0; k < frame.n_rays(); ++k)
   {
     const typename FrameState<dim>::RayHere &ray = frame.ray(k);
@@ -184,7 +188,7 @@ void FrameSystem<dim>::add_columns(const FrameScene<dim> &scene,
       continue;
     columns.push_back({Column::ray, f, k, Column::none, conditions.stiffness()});
     columns.back().pull = ray.held.pull;
-    active.push_back(conditions.closed(k, force[f][k]) || conditions.free_gap(k) < 0.);
+    active.push_back(conditions.closed(k, force[f][k]) || (!from_pressed && conditions.free_gap(k) < 0.));
     gap.push_back(conditions.free_gap(k));
   }
   const unsigned int motion_of_rays = columns.size();

@@ -282,12 +282,17 @@ StepReport SpaceModel::advance(const double dt_limit)
     safe.shortest = settings.step.smallest_step * std::min(wanted, settings.cfl_multiple * cfl_step());
     safe.cause = [] { return "bodies move too fast to be seen on their ways"; };
   }
+  bool cut = false;
   const StepTaken taken = step_control.advance(
       settings.step, wanted, dt_limit, state.time,
       [&](const double dt)
       {
         stop_if_interrupted();
-        return try_step(dt, wanted, law_cuts, report);
+        Attempt done = try_step(dt, wanted, law_cuts, report);
+        // What has just been too long without inertia often is again.
+        done.may_grow = done.may_grow && !(at_rest() && cut);
+        cut = cut || !done.accepted;
+        return done;
       },
       safe);
   report.dt = last_dt = taken.dt;

@@ -196,6 +196,8 @@ void RayEquations<dim>::measure_frame(const unsigned int f, double &wrong_fricti
     const double most = conditions.most_friction(k, force[f][k]), rubs = rubbing[f][k].norm();
     Across slide = conditions.free_slide(k) + conditions.ray_softness() * rubbing[f][k];
     wrong_friction = std::max(wrong_friction, rubs - most);
+    if (frame.ray(k).rub.keeps)
+      continue;
     // Friction below its bound holds; at its bound it holds across its own direction.
     if (rubs >= (1. - 1e-6) * most)
       slide -= rubs > 0. ? Across((slide * rubbing[f][k]) / (rubs * rubs) * rubbing[f][k]) : slide;

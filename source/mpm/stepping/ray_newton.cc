@@ -8,12 +8,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace softgrain::mpm
 {
 namespace
 {
-constexpr double gap_tolerance = 1e-5;    ///< cells
+constexpr double gap_tolerance = 1e-5; ///< cells
+/// Share of all forces by which those may be off whose friction is that of the iterate before.
+constexpr double kept_tolerance = 1e-3;
 constexpr unsigned int most_halvings = 8; ///< of a way that cannot be gone
 constexpr unsigned int halvings_with_all_rays = 2;
 constexpr unsigned int most_strained =
@@ -38,7 +41,7 @@ template <int dim>
 bool RayNewton<dim>::converged() const
 {
   return (residual < world.settings.residual_tolerance || at_rounding()) &&
-         deepest_by_force < gap_tolerance * h;
+         deepest_by_force < gap_tolerance * h && system.kept_off < kept_tolerance;
 }
 
 template <int dim>
@@ -74,7 +77,13 @@ bool RayNewton<dim>::solve_contact()
                     candidates_within() + (outcome.newton_iterations == 0 ? largest_way() : 0.), y);
   }
   dealii::TimerOutput::Scope section(world.timer, "contact solve");
-  return system.solve(h, *matrices.negative) && system.wrong_inertia(*matrices.negative) == 0;
+  const bool begins = outcome.newton_iterations == 0 && outcome.raised == 1. && system.ways.empty();
+  for (const auto &[f, k] : system.kept)
+    frames[f].keep_friction(k, false);
+  const bool solved = system.solve(h, *matrices.negative, begins);
+  for (const auto &[f, k] : system.kept)
+    frames[f].keep_friction(k, true);
+  return solved && system.wrong_inertia(*matrices.negative) == 0;
 }
 
 /// Forces of rays for Newton's equations; bodies resist more where these have no minimum.
@@ -89,11 +98,32 @@ std::string RayNewton<dim>::find_forces()
     find_factors();
     if (solve_contact())
       return "";
-    if (inertia || attempt == most_rises || outcome.raised * plan.regularisation >= plan.most_resistance)
+    // A step that begins in a minimum succeeds when it is short enough, and no resistance helps it.
+    outcome.too_long = plan.may_be_shorter() && system.began_in_minimum && presses_more_than_resists();
+    if (inertia || outcome.too_long || attempt == most_rises ||
+        outcome.raised * plan.regularisation >= plan.most_resistance)
       return "no forces of contacts are found";
     if (!resist_more())
       return why_not();
   }
+}
+
+/// Whether contacts bear more when a step begins, in the mean, than the most that would resist its way.
+template <int dim>
+bool RayNewton<dim>::presses_more_than_resists() const
+{
+  double sum = 0.;
+  unsigned int n_pressed = 0;
+  for (const FrameState<dim> &frame : frames)
+  {
+    const auto &rays = frame.layout().rays;
+    const double pressed =
+        std::accumulate(rays.begin(), rays.end(), 0.,
+                        [](const double so_far, const auto &ray) { return so_far + ray.force; });
+    sum += pressed;
+    n_pressed += pressed > 0.;
+  }
+  return sum > n_pressed * plan.most_resistance * softest_pair * largest_way();
 }
 
 template <int dim>

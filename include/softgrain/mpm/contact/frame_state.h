@@ -82,6 +82,8 @@ public:
   /// bodies that hardly give way: there a dent that becomes smaller under a larger force would open the
   /// contact.
   void keep_dent();
+  /// Whether the friction of a ray is that of the iterate before.
+  void keep_friction(const unsigned int k, const bool keeps) { rays[k].rub.keeps = keeps; }
 
   /// Leaves out, for the rest of the step, rays whose surfaces have slid away from under them, as at the end
   /// of a side: their forces become 0, and they pull no more. @return whether there are any

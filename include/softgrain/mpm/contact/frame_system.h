@@ -91,7 +91,8 @@ public:
 
   /// Solves for forces, alike for all owners. @return whether no ray pulls or overlaps, none that sticks
   /// exceeds its friction, and all that slip rub against their slide
-  bool solve(double cell_size, unsigned int negative_of_bodies);
+  /// @param begins whether began_in_minimum is to be found
+  bool solve(double cell_size, unsigned int negative_of_bodies, bool begins = false);
 
   /// Negative pivots of the last solve beyond those that constraints have, less those of bodies' factors: 0
   /// in a minimum.
@@ -112,7 +113,13 @@ public:
 
   RayForces found;                ///< P of the last solve [N/m]
   RayFriction<dim> found_rubbing; ///< friction of the last solve [N/m]
-  unsigned int passes = 0;        ///< of the active set, so far
+  /// Frames and rays whose friction the last solve kept, since they found no side, and by what share of all
+  /// forces these were off then.
+  std::vector<std::pair<unsigned int, unsigned int>> kept;
+  double kept_off = 0.;
+  unsigned int passes = 0; ///< of the active set, so far
+  /// Whether forces at hand hold the bodies in a minimum; found in space with friction only.
+  bool began_in_minimum = false;
 
 private:
   static constexpr unsigned int gmres_restart = 60, gmres_iterations = 200;
@@ -146,6 +153,8 @@ private:
     Across axis{};                  ///< direction of a slide, along RayRub::e
     Across axis_of_v{};             ///< likewise, when the column of V was made
     double give = 0;                ///< of a slide across friction that slips: slide for a unit force [m^2/N]
+    bool keeps = false;             ///< of a slide: its friction is not sought in this solve, it is
+    double kept = 0;                ///< that [N/m]
   };
   void add_slides(const FrameState<dim> &frame, const Across &rubbing, double force, unsigned int ray_column);
   /// Turns both slides of a ray, so that the first goes along (@p c, @p s) in their present directions.
@@ -267,6 +276,10 @@ private:
   /// Goes from @p from towards @p to. @return the square that is off there
   double go_damped(const Iterate &to, double before, bool all_the_way);
   bool settle_damped(double cell_size, unsigned int negative_of_bodies);
+  /// Takes the forces at hand as those that are least off.
+  void begin_damped();
+  /// Lets all rays that are wrong keep the friction of @p nearest, where all are @p off by that share.
+  void keep_friction(double off);
   /// Solves for the present sides, exactly only where no ray is wrong. @return whether there is a solution
   bool solve_pass(double cell_size, Eigen::VectorXd &here, bool &any_wrong);
   /// How far the equations of rays are off for the present sides, as a force.
@@ -299,7 +312,8 @@ private:
   /// Whether a column is an unknown of its own.
   bool counts(const unsigned int i) const
   {
-    return active[i] && slips(i) == 0 && (columns[i].kind != Column::wall || ways[i].stopped == 0);
+    return active[i] && slips(i) == 0 && !columns[i].keeps &&
+           (columns[i].kind != Column::wall || ways[i].stopped == 0);
   }
   /// Puts into z what is known before the solve. @return whether anything is
   bool set_known();
@@ -346,7 +360,8 @@ private:
   std::vector<std::array<unsigned int, 2>> bodies_of; ///< of every frame, none where it is driven or a wall
   double worst = 0., largest = 0.;                    ///< of wrong, and of the forces of rays [N/m^(3-dim)]
   bool any_slides = false;
-  bool by_threshold = false; ///< friction is bounded by what forces were, not by what they are found to be
+  bool by_threshold = false;   ///< friction is bounded by what forces were, not by what they are found to be
+  bool looks_at_start = false; ///< whether the first pass finds began_in_minimum
   unsigned int n_motions = 0, n_free = 0, negative = 0;
 };
 

@@ -117,7 +117,8 @@ protected:
   /// Gaps like the deepest one, times the stiffness of the pair over that of the softest: they tell what
   /// forces are off by [m].
   double deepest_by_force = 0.;
-  double path = 0.; ///< no place has moved by more than this, all iterations summed [m]
+  double softest_pair = 0.; ///< FrameConditions::stiffness() of the softest pair
+  double path = 0.;         ///< no place has moved by more than this, all iterations summed [m]
   static constexpr unsigned int none = FrameState<dim>::none;
   unsigned int not_met = none; ///< a frame with a pressed ray that is not met
 
@@ -128,7 +129,6 @@ private:
   void measure_frame(unsigned int f, double &wrong_friction);
 
   Vectors displacement;
-  double softest_pair = 0.; ///< FrameConditions::stiffness() of the softest pair
 };
 } // namespace softgrain::mpm
 

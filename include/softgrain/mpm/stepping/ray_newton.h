@@ -54,6 +54,7 @@ protected:
   using Base::residual;
   using Base::rubbing;
   using Base::scene;
+  using Base::softest_pair;
   using Base::system;
   using Base::take_forces_of_start;
   using Base::theta;
@@ -104,6 +105,7 @@ private:
   std::string go_along(const Vectors &direction);
   void go(const Start &from, const Vectors &direction, double share);
   bool resist_more();
+  bool presses_more_than_resists() const;
   bool go_back();
   bool keep_dents();
 

@@ -51,7 +51,7 @@ struct StepOutcome
   double raised = 1;           ///< factor by which bodies had to resist motion more
   double unbalanced = 0;       ///< unbalanced_force() at the end, of quasi_static
   bool exact = true;           ///< Newton's method came to its tolerances
-  bool too_long = false; ///< it is not accepted since bodies deform by too much, and a shorter one may be
+  bool too_long = false;       ///< it is not accepted, and a shorter one may be: more resistance is no help
 };
 
 /// One implicit step (moreau_jean, newmark, quasi_static); @p state goes on only if it is accepted.
