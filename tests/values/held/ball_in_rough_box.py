@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
-A ball in a box of six rough walls that come nearer at three speeds, with a friction of 1. Sets of rays that are open, stick and slip went round
-for ever there. The run comes to its end in few passes. Steps of half the length bear the same within half a per cent, and less than 1 % of the
-work of the walls is missing.
+A ball in a box of six rough walls that come nearer at three speeds, with a friction of 1. Sets of rays that are open, stick and slip go
+round there where no ray may keep its friction, and steps are cut. The run comes to its end in few passes. Steps of half the length bear the
+same within half a per cent, and less than 1 % of the work of the walls is missing.
 """
 WALLS = "left", "front", "bottom"
 
