@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """
-Parameters at their limits: every case gives a right result, or one clear line with the last good state saved. Two may come to
-their end with an energy that is not kept, and must say so.
+Parameters at their limits: every case gives a right result, or one clear line with the last good state saved.
 
     extremes.py PROGRAM FOLDER [--quick] [--table FILE] [NAME...]
 
@@ -20,9 +19,7 @@ import subprocess
 import sys
 
 from extreme_cases import CASES
-from extreme_cases.case import WARNED
 
-ENERGY_IS_WRONG = "warning: energy came from nothing, or is gone"
 LIMIT = 300  # seconds of processor time of one case; ten times that on the clock, for other programs run too
 
 
@@ -55,13 +52,11 @@ def judge_result(case, folder):
 
 
 def judge(case, done, folder):
-    """Verdict ("right", "refused", "stopped", "warned" or what is wrong) and numbers of a case."""
+    """Verdict ("right", "refused", "stopped" or what is wrong) and numbers of a case."""
     if done is None or done.returncode == 3:
         return f"no end within {LIMIT} s", {}
     if done.returncode == 0:
         seen, wrong = judge_result(case, folder)
-        if wrong.startswith("energy") and ENERGY_IS_WRONG in done.stdout + done.stderr:
-            return WARNED, seen
         return wrong or "right", seen
     if done.returncode not in (1, 2):
         return f"exit code {done.returncode}", {}

@@ -4,7 +4,6 @@ import dataclasses
 import re
 
 RIGHT, REFUSED, STOPPED = "right", "refused", "stopped"
-WARNED = "warned"  # comes to its end and says that energy is not kept
 
 
 @dataclasses.dataclass
@@ -58,9 +57,6 @@ def carries(rows):
     return max(row["top_force_N_per_m"] for row in rows) > 0
 
 
-# Cells: outlines are polygons that meet at rays, so bodies with few of them lie in each other; in shipped scenes up to 0.048 cells
-# deep, and less with finer ones (doc/results/extremes.md).
-FEW_RAYS = 0.05
 HARD = {"energy": 0.2, "penetration": 0.2}
 COLLISION = {"checks": {"they bounce": bounced, "they meet": met}}
 LONG_STEP = {"limits": {"energy": 1.5, "penetration": 0.2}, "checks": {"they meet": met}}
