@@ -82,7 +82,7 @@ public:
   /// bodies that hardly give way: there a dent that becomes smaller under a larger force would open the
   /// contact.
   void keep_dent();
-  /// Whether the friction of a ray is that of the iterate before.
+  /// Notes whether a ray's slide is left out of what is measured, since its friction was kept and not sought.
   void keep_friction(const unsigned int k, const bool keeps) { rays[k].rub.keeps = keeps; }
 
   /// Leaves out, for the rest of the step, rays whose surfaces have slid away from under them, as at the end

@@ -113,10 +113,10 @@ public:
 
   RayForces found;                ///< P of the last solve [N/m]
   RayFriction<dim> found_rubbing; ///< friction of the last solve [N/m]
-  /// Frames and rays whose friction the last solve kept, since they found no side, and by what share of all
-  /// forces these were off then.
+  /// Frames and rays that the last solve found right neither open nor closed, or neither sticking nor
+  /// slipping. Their friction is that of an earlier pass.
   std::vector<std::pair<unsigned int, unsigned int>> kept;
-  double kept_off = 0.;
+  double kept_off = 0.;    ///< by what share of all forces they were off in that pass
   unsigned int passes = 0; ///< of the active set, so far
   /// Whether forces at hand hold the bodies in a minimum; found in space with friction only.
   bool began_in_minimum = false;
@@ -153,8 +153,8 @@ private:
     Across axis{};                  ///< direction of a slide, along RayRub::e
     Across axis_of_v{};             ///< likewise, when the column of V was made
     double give = 0;                ///< of a slide across friction that slips: slide for a unit force [m^2/N]
-    bool keeps = false;             ///< of a slide: its friction is not sought in this solve, it is
-    double kept = 0;                ///< that [N/m]
+    bool keeps = false;             ///< of a slide: its friction is known in this solve
+    double kept = 0;                ///< of such a slide: that friction [N/m]
   };
   void add_slides(const FrameState<dim> &frame, const Across &rubbing, double force, unsigned int ray_column);
   /// Turns both slides of a ray, so that the first goes along (@p c, @p s) in their present directions.

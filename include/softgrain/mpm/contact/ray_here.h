@@ -16,7 +16,7 @@ struct RayRub
   std::array<PlaceFunctions<dim>, 2> hold;       ///< of the field there
   std::array<dealii::Tensor<1, dim>, dim - 1> e; ///< unit, at right angles to each other and to its push
   double bound = 0;                              ///< largest friction over force
-  bool keeps = false;                            ///< friction is that of the iterate before
+  bool keeps = false;                            ///< its friction was kept, see FrameSystem::kept
   dealii::Tensor<1, dim - 1> slide;              ///< along e [m]
   dealii::Tensor<1, dim - 1> known_slide; ///< what velocities at the start have in it, with inertia [m]
 
